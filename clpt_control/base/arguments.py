@@ -433,6 +433,15 @@ def hint(argument: str, value: Any, allowed: str) -> str:
     )
 
 
+def is_plain(value: Any) -> bool:
+    """Return whether a value is None, or numbers without labels, unit or time."""
+    kind = type(value)
+    if kind is np.ndarray:
+        return value.dtype.kind in "iufb"
+    are_numbers = kind in (list, tuple) and _are_numbers(value)
+    return are_numbers or value is None or kind in NUMBERS
+
+
 def numbers(argument: str, value: Any, *last: int | None) -> np.ndarray:
     """Return an array of numbers; its last dimensions have the sizes given, None is any."""
     if type(value) is np.ndarray and value.dtype == float and not last:
@@ -446,7 +455,7 @@ def numbers(argument: str, value: Any, *last: int | None) -> np.ndarray:
             raise TypeError  # NumPy would drop what is imaginary, and the unit of a time
         array = array.astype(float, copy=False)
         sizes = array.shape[max(array.ndim - len(last), 0) :]
-        if all(
+        if not last or all(
             required in (None, size)
             for required, size in zip_longest(last, sizes, fillvalue=-1)
         ):
@@ -473,7 +482,9 @@ def vector_of(argument: str, value: Any, size: int) -> np.ndarray:
 def finite(argument: str, value: Any) -> np.ndarray:
     """Return an array of finite numbers."""
     array = numbers(argument, value)
-    for k in np.flatnonzero(~np.isfinite(array)):
+    are_finite = np.isfinite(array)
+    if not are_finite.all():
+        k = int(np.argmin(are_finite))
         where = f"; number {k} is {array[k]}" if array.ndim == 1 else ""
         raise ArgumentError(f"{argument} = {brief(array)}: must be finite{where}")
     return array

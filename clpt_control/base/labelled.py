@@ -20,7 +20,7 @@ from typing import Any, NamedTuple
 import control
 import numpy as np
 
-from .arguments import attribute_of, check_known, finite, has, numbers
+from .arguments import attribute_of, check_known, finite, has, is_plain, numbers
 from .errors import ArgumentError, SimulationError
 from .units import SECONDS, short_unit
 
@@ -55,19 +55,24 @@ class Clock:
     """
 
     def __init__(self, timepts: Any, unit: str | None):
-        timepts = attribute_of(timepts, "t", timepts)  # of a response
+        self.unit, self.has_zero = unit or "s", False
+        self.zero: Any = None  # the date of t = 0; 0 if times are numbers
+        if not is_plain(timepts):
+            timepts = self._numbered(attribute_of(timepts, "t", timepts), unit)
+        self.at = np.atleast_1d(finite("timepts", timepts))
+
+    def _numbered(self, timepts: Any, unit: str | None) -> Any:
+        """Return times given with a unit, or as dates, as numbers."""
         kinds = {*map(type, timepts)} if isinstance(timepts, list | tuple) else ()
         if kinds and all(issubclass(kind, date | np.datetime64) for kind in kinds):
             timepts = np.array(timepts, "M8")
         timepts_unit = short_unit(unit_of(timepts))
         self.unit = unit or (timepts_unit if timepts_unit in SECONDS else "s")
         self.check_unit("timepts", timepts_unit)
-        self.zero: Any = None  # the date of t = 0; 0 if times are numbers
         labels = np.atleast_1d(timepts if has(timepts, "dtype") else 0)
         self.has_zero = labels.dtype.kind == "M"
-        if labels.size and labels.dtype.kind in "mM":
-            timepts = self.numbers("timepts", labels)
-        self.at = np.atleast_1d(finite("timepts", timepts))
+        is_time = labels.size and labels.dtype.kind in "mM"
+        return self.numbers("timepts", labels) if is_time else timepts
 
     def numbers(self, argument: str, labels: np.ndarray) -> np.ndarray:
         """Return times as numbers."""
@@ -97,18 +102,21 @@ class Clock:
                 "Convert one of them"
             )
 
-    def read(self, argument: str, labels: np.ndarray, unit: str = "") -> np.ndarray:
-        """Return the times of samples as increasing numbers."""
+    def read(
+        self, argument: str, labels: np.ndarray, unit: str = ""
+    ) -> tuple[np.ndarray, slice]:
+        """Return the times of samples as increasing numbers, and the order of their samples."""
         self.check_unit(argument, unit)
         if not len(labels) or labels.dtype.kind not in "iufmM":
             raise ArgumentError(
                 f"{argument}: its times must be numbers, or dates without a time zone: "
                 "datetime64, not texts. Convert them by pandas.to_datetime"
             )
-        labels = labels[::-1] if labels[0] > labels[-1] else labels
+        order = slice(None, None, -1 if labels[0] > labels[-1] else 1)
+        labels = labels[order]
         if not (np.isfinite(labels).all() and (labels[1:] >= labels[:-1]).all()):
             raise SimulationError(f"{argument}: its times must be finite and in order")
-        return self.numbers(argument, labels)
+        return self.numbers(argument, labels), order
 
 
 def check_complete(
@@ -139,8 +147,13 @@ def labelled(argument: str, value: Any, clock: Clock | None = None) -> Any:
 
     Samples are read by a clock; values are of one time without, and rows are then one vector.
     """
+    if is_plain(value):
+        return numbers(argument, value) if isinstance(value, list | tuple) else value
     if isinstance(value, control.TimeResponseData):
         return _signals_of(argument, value, clock)
+    kind = getattr(attribute_of(value, "dtype"), "kind", "")
+    if kind == "O" and has(value, "iloc") and any(map(np.ndim, value)):
+        value = value.to_dict()  # a Series of rows by name
     if isinstance(value, Mapping):
         return {
             name: _read(f"{argument}['{name}']", inner, clock)
@@ -250,8 +263,8 @@ def _read(argument: str, value: Any, clock: Clock | None) -> Labelled:
                     f"{argument}: has values over time. Give those of one time"
                 )
             if labels is not None:
-                times = clock.read(argument, labels, unit)
-                array = np.flip(array, k) if labels[0] > labels[-1] else array
+                times, order = clock.read(argument, labels, unit)
+                array = array[(*[slice(None)] * k, order)]
             elif array.shape[k] != len(clock.at):
                 raise SimulationError(
                     f"{argument}: has {array.shape[k]} samples along {dim} without times; timepts "
@@ -265,14 +278,14 @@ def _read(argument: str, value: Any, clock: Clock | None) -> Labelled:
         else:
             ranks.append(1)
             if labels is not None:
-                order = None if is_index or dim == "member" else _order(dim, labels)
-                if order is None:
+                signals = None if is_index or dim == "member" else _order(dim, labels)
+                if signals is None:
                     raise ArgumentError(
                         f"{argument}: labels of {dim or 'its index'} are no names and need not "
                         "count signals from 0. If "
                         "they are times, call them time, without a time zone; else give .to_numpy()"
                     )
-                array = np.take(array, order, k)
+                array = np.take(array, signals, k)
     if len({*ranks}) < len(ranks):
         raise ArgumentError(
             f"{argument}: has several dimensions of signals or of times. Give one of each"
@@ -298,7 +311,7 @@ def _signals_of(
     """Return the signals of a response with one trace, by name."""
     if clock is None:
         raise SimulationError(f"{argument}: is a response. Give values of one time")
-    times = clock.read(argument, np.asarray(response.time))
+    times, order = clock.read(argument, np.asarray(response.time))
     signals = {}
     for labels, values in (
         (response.input_labels, response.u),
@@ -313,5 +326,5 @@ def _signals_of(
                 "issiso=False)"
             )
         for label, row in zip(labels, values, strict=True):
-            signals[label] = Labelled(numbers(argument, row.ravel()), times)
+            signals[label] = Labelled(numbers(argument, row.ravel()[order]), times)
     return signals

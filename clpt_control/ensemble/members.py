@@ -6,7 +6,8 @@ changes others (frequencies follow from periods), moves breakpoints or is an inp
 cannot be compiled, and those in discrete time, run in Python, one member after the other.
 
 The varied system is a `VariedScenario` or a `VariedDiagram`.  Its methods per key: `why_not`,
-`check`, `location`, `one_by_one`, `key_layout`.  Its method `member` makes one member.  Its
+`check`, `location`, `one_by_one`, `key_layout`; of several, `remade`: values of these make blocks
+anew (`made_with`), as functions read them as numbers.  Its method `member` makes one member.  Its
 `summaries` are names and series, functions of its `batch`, and `axes` are their dimensions.  It is
 pickled for workers: threads and other machines run and summarise members in the same way.
 """
@@ -14,17 +15,16 @@ pickled for workers: threads and other machines run and summarise members in the
 import hashlib
 import pickle
 import threading
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from dataclasses import field as made_by
-from functools import cache, cached_property, lru_cache
+from functools import cached_property, lru_cache
 from typing import Any
 
 import numpy as np
 
 from ..base.errors import DiagramError, SimulationError
 from ..base.run_attributes import versions
-from ..engine.codegen.directional_derivatives import read_as_number
 from ..engine.codegen.machine import LANES, processor
 from ..engine.diagram.wiring import Wiring
 from ..engine.methods import TAYLOR
@@ -42,6 +42,7 @@ MOST_MEMBERS = 512  # of a batch
 SIGNAL_NUMBERS = 500_000  # evaluated at once
 KERNEL = "basis.kernel"  # the key of a scenario that changes the record of its loop
 SOFTWARE = ("clpt-control", "llvmlite", "numpy", "scipy")
+MOST_GROUPS = 64  # with code of their own, in memory
 TRIED = 5  # members whose records are compared with Python before the run
 # sampled parameters or summaries by name; a row for each member
 Values = dict[str, np.ndarray]
@@ -75,9 +76,14 @@ class Ensemble:
     """
 
     def __init__(self, varied: Varied, keys: Iterable[str], engine: str | None = None):
-        self.varied = varied
+        self.varied, self.keys = varied, [*keys]
         self.options = RunOptions(**varied.options)
-        self.locations = {key: varied.location(key) for key in keys}
+        # members that share the values of these keys are a group with blocks of its own
+        self.remade = varied.remade(self.keys)
+        self.groups: dict[str, Ensemble] = {}  # by these values
+        self.locations = {
+            key: varied.location(key) for key in self.keys if key not in self.remade
+        }
         self.native = self._runner(engine)  # machine code, or Python
         self.compiled = self.native.engine == "native"
         self.lanes = self.native.lanes(LANES) if self.compiled else 1
@@ -92,8 +98,7 @@ class Ensemble:
         for key, location in self.locations.items():
             for field in location.fields:
                 keys_of_field[field] = (*keys_of_field.get(field, ()), key)
-        system = varied.wiring, varied.params
-        runner = make_runner(*system, engine, varied.name, keys_of_field)
+        runner = make_runner(varied.wiring, engine, varied.name, keys_of_field)
         if runner.hidden_state:
             raise DiagramError(
                 f"{varied.name}: members of an ensemble would share hidden state: "
@@ -103,13 +108,7 @@ class Ensemble:
             return runner
         runner.most = MEMBER_STEPS
         if runner.sweep.guarded and not runner.nstates:
-            return make_runner(*system, "python")
-        for (k, name), keys in keys_of_field.items():
-            node = varied.wiring.nodes[k]
-            if role := read_as_number(node.system, name):
-                reason = f"{node.name}.{role} is read for one value of {keys[-1]}"
-                warn_python(varied.name, reason)
-                return make_runner(*system, "python")
+            return make_runner(varied.wiring, "python")
         return runner
 
     @cached_property
@@ -118,7 +117,7 @@ class Ensemble:
         from distributed.protocol.pickle import dumps
 
         try:
-            return bytes(dumps((self.varied, [*self.locations], self.native.engine)))
+            return bytes(dumps((self.varied, self.keys, self.native.engine)))
         except (pickle.PicklingError, AttributeError, TypeError):
             raise DiagramError(
                 f"{self.varied.name}: cannot be sent to workers. Define equations and parameters "
@@ -235,7 +234,7 @@ class Ensemble:
             except SimulationError as error:
                 status[m] = error.status or Status.NOT_FINITE
                 rows = error.states
-                end = times[len(rows) - 1]
+                end = times[len(rows) - 1] if len(rows) else -np.inf
             reached[m] = np.searchsorted(times, end, side="right")
             states[m, : reached[m]] = rows[: reached[m]]
         return results
@@ -280,25 +279,33 @@ class Ensemble:
         return max(8, min(MOST_MEMBERS, fit // 8 * 8))
 
     def summaries(self, values: Values) -> Values:
-        """Run the members of a batch, those of each kernel together; return their summaries."""
-        if KERNEL not in values:
+        """Run the members of a batch, those of each group together; return their summaries."""
+        if not self.remade:
             return self._summaries(values)
-        kernels, parts = values[KERNEL], []
-        for kernel in np.unique(kernels):
-            with self._lock:
-                ensemble = self._of_kernel(str(kernel))
-            rows = {key: column[kernels == kernel] for key, column in values.items()}
-            parts.append(ensemble._summaries(rows))
-        order = np.argsort(np.argsort(kernels, kind="stable"))
+        groups: dict[Ensemble, list[int]] = {}
+        for m in range(member_count(values)):
+            groups.setdefault(self.group(values, m), []).append(m)
+        order = np.argsort(np.concatenate([*groups.values()]))
+        parts = [
+            group._summaries({key: column[rows] for key, column in values.items()})
+            for group, rows in groups.items()
+        ]
         return {name: column[order] for name, column in concatenated(parts).items()}
 
-    @cached_property
-    def _of_kernel(self) -> Callable[[str], "Ensemble"]:
-        """A function that returns the ensemble of a kernel, compiled once."""
-        keys, engine = [*self.locations], self.native.engine
-        return cache(
-            lambda kernel: Ensemble(self.varied.with_kernel(kernel), keys, engine)
-        )
+    def group(self, values: Values, m: int) -> "Ensemble":
+        """Return the ensemble of a member's group, compiled once."""
+        shared = {key: values[key][m] for key in self.remade}
+        if not shared:
+            return self
+        name = repr([np.asarray(value).tolist() for value in shared.values()])
+        with self._lock:
+            if name not in self.groups:
+                others, engine = [*self.locations], self.native.engine
+                for oldest in list(self.groups)[: 1 - MOST_GROUPS]:
+                    del self.groups[oldest]
+                made = self.varied.made_with(shared)
+                self.groups[name] = Ensemble(made, others, engine)
+            return self.groups[name]
 
     def _summaries(self, values: Values) -> Values:
         """Run members of one record and return their summaries."""
@@ -319,9 +326,10 @@ class Ensemble:
 
     def single(self, values: Values, m: int) -> tuple[Any, tuple]:
         """Return the runner of one member, and the arguments of its `solve`."""
+        group = self.group(values, m)
         member_values = {key: column[m] for key, column in values.items()}
-        parameters, start, inputs = self.varied.member(member_values)
-        runner = self.native.with_parameters(parameters)
+        parameters, start, inputs = group.varied.member(member_values)
+        runner = group.native.with_parameters(parameters)
         return runner, (start, self.varied.state_times, inputs, self.options)
 
 

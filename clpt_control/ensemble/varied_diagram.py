@@ -11,6 +11,8 @@ further ones.  If a guard stops a member, they are those until then.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextlib import suppress
+from copy import copy
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from inspect import signature
@@ -25,10 +27,11 @@ from ..engine.codegen.directional_derivatives import (
     place_of,
     places_of,
     put,
+    read_as_number,
     value_at,
 )
-from ..engine.diagram.interconnection import PARAMETER_HINTS, changed_parameters
-from ..engine.diagram.wiring import Params, read_anew, state_units, units_of, wiring_of
+from ..engine.diagram.block_numbers import PARAMETER_HINTS, Params
+from ..engine.diagram.wiring import read_anew, state_units, units_of, wiring_of
 from ..engine.model.declaration import check_rules
 from ..engine.model.ports import ports_of
 from ..engine.model.system import System
@@ -176,12 +179,12 @@ class VariedDiagram:
         sizes = request.sizes
         self.params = dict(params or {})
         with request.drawn_around():
-            self.wiring = wiring_of(diagram, self.params, sizes)
+            self.wiring = wiring_of(diagram, self.params, sizes, complete=False)
         self.outputs, input_labels, states = labels_of(diagram, self.wiring)
         if undeclared := self._undeclared(varies, [input_labels, states]):
             self.params |= undeclared
-            self.wiring = wiring_of(diagram, self.params, sizes)
-        self.parameters = changed_parameters(self.wiring.blocks, self.params)
+            self.wiring = wiring_of(diagram, self.params, sizes, complete=False)
+        self.parameters = self.wiring.parameters()
         # 2. the run
         self.options = {
             name: getattr(request.options, name) for name in ("rtol", "atol", "method")
@@ -332,6 +335,33 @@ class VariedDiagram:
         location = self.locations[key]
         systems = (self.wiring.nodes[k].system for k, _ in location.fields)
         return bool(location.inputs) or any(s.breakpoints_function for s in systems)
+
+    def remade(self, keys: Sequence[str]) -> list[str]:
+        """Return the keys of values that functions read as numbers, such as modes and counts."""
+        nodes, locations = self.wiring.nodes, self.locations
+        with suppress(Unread):
+            return [
+                key
+                for key in keys
+                if any(
+                    read_as_number(nodes[k].system, field)
+                    for k, field in locations[key].fields
+                )
+            ]
+        return []
+
+    def made_with(self, values: Values) -> "VariedDiagram":
+        """Return the diagram whose blocks are made anew with values that functions read."""
+        made = copy(self)
+        made.parameters = [*self.member(values)[0]]
+        fields = {field for key in values for field in self.locations[key].fields}
+        nodes = list(self.wiring.nodes)
+        for k, name in fields:
+            value = {name: getattr(made.parameters[k], name)}
+            system = nodes[k].system.having(value, complete=False)
+            nodes[k] = replace(nodes[k], system=system)
+        made.wiring = replace(self.wiring, nodes=tuple(nodes))
+        return made
 
     def member(self, values: Values) -> Member:
         """Return the member with these values."""

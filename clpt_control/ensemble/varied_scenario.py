@@ -159,9 +159,13 @@ class VariedScenario:
             return True
         return self.location(key) == Place()
 
-    def with_kernel(self, kernel: str) -> "VariedScenario":
+    def remade(self, keys: Sequence[str]) -> list[str]:
+        """Return the keys of values with which the loop is made anew."""
+        return [KERNEL] if KERNEL in keys else []
+
+    def made_with(self, values: Values) -> "VariedScenario":
         """Return the loop with another kernel, which is another record."""
-        scenario = self.scenario.with_values({KERNEL: kernel})
+        scenario = self.scenario.with_values(dict(values))
         return VariedScenario(scenario, self.changes, self.marks, self.trajectories)
 
     def member(self, values: Values) -> Member:

@@ -20,7 +20,7 @@ import numpy as np
 
 from ..base.arguments import Count, brief, public
 from ..base.errors import BlockError
-from ..engine.diagram.interconnection import PARAMETER_HINTS
+from ..engine.diagram.block_numbers import PARAMETER_HINTS
 from ..engine.model.block import Block
 from .common import (
     check_finite,

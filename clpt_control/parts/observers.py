@@ -221,6 +221,11 @@ def _of_plant(
     read: list[str] = []
     for port, own in (("u", system.input_labels), ("y", system.output_labels)):
         read += labels({ports[port]: len(own)}) if port in ports else own
+    if len({*read}) < len(read):
+        raise BlockError(
+            f"{name}: its inputs would be {', '.join(read)}; each needs its own name. Give the "
+            "plant other labels, or a port's name, such as u='force'"
+        )
     block.set_inputs(read)
     return block
 

@@ -23,12 +23,12 @@ from ..base.run_attributes import (
     REFERENCE,
     RunDiagram,
 )
+from ..engine.diagram.block_numbers import call_names
 from ..engine.diagram.interconnection import with_stop
 from ..engine.diagram.wiring import (
     Params,
     Sizes,
     Wiring,
-    call_names,
     read_anew,
     units_of,
     wiring_of,
@@ -78,7 +78,7 @@ class SystemRun:
     def made_runner(self, engine: str | None, varied: Sequence[str]) -> Runner:
         """Return the engine of this system."""
         varied_fields = fields_of(self.wiring, varied)
-        return make_runner(self.wiring, self.params, engine, self.name, varied_fields)
+        return make_runner(self.wiring, engine, self.name, varied_fields)
 
     @property
     def labels(self) -> list[str]:
@@ -153,6 +153,8 @@ class SystemRun:
 class DiagramRun(SystemRun):
     """A diagram of any blocks, ready to run; parameters in `varied` differ from run to run."""
 
+    complete = True  # the numbers of its blocks; their rules are checked
+
     def __init__(
         self,
         diagram: control.NonlinearIOSystem,
@@ -166,7 +168,7 @@ class DiagramRun(SystemRun):
         self.made_of = RunDiagram(diagram, params)
         self.loop: ClosedLoop | None = getattr(diagram, "origin", None)
         self.scenario = self.loop and self.loop.scenario
-        wiring = wiring_of(diagram, params, sizes)
+        wiring = wiring_of(diagram, params, sizes, self.complete)
         if stop is not None:
             wiring = with_stop(wiring, stop, *labels_of(diagram, wiring)[:2])
         outputs, inputs, self.states = labels_of(diagram, wiring)
@@ -211,7 +213,8 @@ class DiagramRun(SystemRun):
     def is_unchanged(self) -> bool:
         """True for a loop as `closed_loop` returned it, and for a diagram that is no such loop."""
         loop = self.loop
-        return loop is None or (not loop.external and loop.is_unchanged(self.wiring))
+        wiring = loop and wiring_of(self.made_of.diagram)
+        return loop is None or (not loop.external and loop.is_unchanged(wiring))
 
     @property
     def beyond_scenario(self) -> dict[str, str]:
@@ -256,7 +259,7 @@ class CompiledRun(DiagramRun):
 
     def made_runner(self, engine: str | None, varied: Sequence[str]) -> Runner:
         """Return the machine code."""
-        return NativeDiagram(self.wiring, self.params)
+        return NativeDiagram(self.wiring)
 
 
 def fields_of(

@@ -265,7 +265,8 @@ def natives_of(
     wiring, (lower, upper) = made.wiring, ends
     pairs = [name for name in lower if not np.array_equal(lower[name], upper[name])]
     fields = fields_of(wiring, pairs)
-    natives = [NativeDiagram(wiring, end, apart=fields) for end in ends]
+    native = NativeDiagram(wiring, apart=fields)
+    natives = [native.with_parameters(wiring.parameters(end)) for end in ends]
     for k, field in fields:
         block = wiring.nodes[k].system
         at_known_times = block.first_held is not None or not block.breakpoints_function

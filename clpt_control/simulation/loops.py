@@ -15,12 +15,8 @@ import numpy as np
 from ..base.arguments import public
 from ..base.errors import DiagramError
 from ..base.run_attributes import OWN_LAW, OWN_PARTS
-from ..engine.diagram.interconnection import (
-    PARAMETER_HINTS,
-    Diagram,
-    connect,
-    wiring_of_blocks,
-)
+from ..engine.diagram.block_numbers import PARAMETER_HINTS
+from ..engine.diagram.interconnection import Diagram, connect, wiring_of_blocks
 from ..engine.diagram.wiring import Node, Part, Wiring, read_anew, wiring_of
 from ..engine.model.block import Block
 from ..engine.model.declaration import Parameters

@@ -15,7 +15,6 @@ from ..base.arguments import known, public
 from ..base.errors import SimulationError
 from ..base.labelled import unlabelled
 from ..engine.codegen.directional_derivatives import read_as_number
-from ..engine.diagram.interconnection import changed_parameters
 from ..engine.diagram.wiring import Params
 from ..engine.model.system import System
 from .diagram_runs import DiagramRun, fields_of
@@ -136,7 +135,7 @@ class PreparedRun:
             self._make(every)
             return self._run.runner
         runner = self._run.runner
-        return runner.with_parameters(changed_parameters(runner.wiring.blocks, every))
+        return runner.with_parameters(runner.wiring.parameters(every))
 
 
 def _same(value: Any, other: Any) -> bool:

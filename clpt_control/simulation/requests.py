@@ -175,8 +175,11 @@ def clock_of(diagram: Any, timepts: Any) -> Clock:
 
 def distinct_times(times: np.ndarray) -> np.ndarray:
     """Return times without repetition, checked."""
-    if times.ndim == 1 and (times[1:] >= times[:-1]).all():
-        times = np.unique(times)
+    if times.ndim == 1 and len(times) > 1:
+        least = (times[1:] - times[:-1]).min()
+        if least > 0.0:
+            return times
+        times = np.unique(times) if least == 0.0 else times
     return checked_times("timepts", times)
 
 

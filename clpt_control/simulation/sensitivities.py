@@ -19,7 +19,6 @@ from ..base.arguments import check_known, public
 from ..base.errors import SimulationError, Uncompiled
 from ..engine.codegen.diagram_record import Form
 from ..engine.codegen.directional_derivatives import may_jump, put, value_at
-from ..engine.diagram.interconnection import changed_parameters
 from ..engine.diagram.wiring import Params
 from ..engine.model.declaration import check_rules
 from ..engine.record.unread import Unread
@@ -60,6 +59,8 @@ class SensitivityRun(DiagramRun):
     may jump.
     """
 
+    complete = False  # before the values of varied numbers
+
     def __init__(
         self,
         system: Any,
@@ -92,7 +93,7 @@ class SensitivityRun(DiagramRun):
                     "different numbers instead of `sensitivity`"
                 )
         locations = self.locations.values()
-        parameters = changed_parameters(self.wiring.blocks, self.params)
+        parameters = self.wiring.parameters()
         directions = tuple(location.elements(parameters) for location in locations)
         varied_blocks = {k for direction in directions for k, _, _ in direction}
         self.jumping = [
@@ -103,7 +104,7 @@ class SensitivityRun(DiagramRun):
         ]
         fields = {field: field for location in locations for field in location.fields}
         form = Form(directions=directions)
-        return NativeDiagram(self.wiring, self.params, form, fields)
+        return NativeDiagram(self.wiring, form=form, apart=fields)
 
     def leave_machine_code(self, why: str) -> None:
         """Refuse to run in Python, which has no derivatives."""

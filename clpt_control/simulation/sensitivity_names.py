@@ -27,7 +27,7 @@ def varied_numbers(
     names: str | Iterable[str], wiring: Wiring, states: Sequence[str]
 ) -> dict[str, Place]:
     """Return the locations of the numbers that have these names, one by one."""
-    parameters = [node.system.parameters for node in wiring.nodes]
+    parameters = wiring.parameters()
     places = places_of(wiring, parameters, states)
     places |= {
         f"{START}.{name}": candidates[-1:]

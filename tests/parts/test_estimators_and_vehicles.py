@@ -371,3 +371,12 @@ def test_a_block_of_discrete_time_iterates_and_samples():
         3,
     ]
     assert twice.copy(name="other").dt == 0.5
+
+
+def test_a_plant_whose_input_and_output_have_one_name_is_refused():
+    room = control.ss(-1.0, 1.0, 1.0, 0, inputs=["T"], outputs=["T"])
+    with pytest.raises(
+        clpt.ClptError, match="inputs would be T, T; each needs its own name"
+    ):
+        parts.observer(room, [1.0])
+    assert parts.observer(room, [1.0], u="heat").input_ports == {"heat": 1, "T": 1}

@@ -537,3 +537,22 @@ def test_reasons_are_the_true_ones():
         clpt.ClptError, match=r"an array of shape \(2,\), without NaN or lab"
     ):
         clpt.simulate(matrix, TIMES, params={"mm.K": pd.Series([3.0, 5.0])})
+
+
+def test_a_response_of_decreasing_times_keeps_its_values_with_its_times():
+    """y' = u: the same samples, latest first, as integrated backwards."""
+    u = np.linspace(0.0, 3.0, len(TIMES)) ** 2
+    back = control.TimeResponseData(
+        TIMES[::-1], u[::-1], output_labels=["a"], issiso=True
+    )
+    plant = integrators(["a"])
+    right = clpt.simulate(plant, TIMES, {"a": u}).states.values
+    np.testing.assert_allclose(clpt.simulate(plant, TIMES, back).states, right)
+    np.testing.assert_allclose(clpt.prepare(plant, TIMES, back)().states, right)
+
+
+def test_a_series_of_rows_is_a_dict():
+    rows = {"a": np.sin(TIMES), "b": np.cos(TIMES)}
+    plant = integrators(["a", "b"])
+    run = clpt.simulate(plant, TIMES, pd.Series(rows))
+    np.testing.assert_allclose(run.states, clpt.simulate(plant, TIMES, rows).states)

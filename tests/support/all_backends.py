@@ -39,7 +39,7 @@ from clpt_control.engine.conformance.checks import (
     roles,
 )
 from clpt_control.engine.conformance.confirmation import Tolerance, differ
-from clpt_control.engine.diagram.wiring import blocks_of
+from clpt_control.engine.diagram.block_numbers import blocks_of
 from clpt_control.engine.model.block import Block
 from clpt_control.engine.record.graph import Shape, bound
 from clpt_control.engine.record.operations import ELEMENTWISE, named

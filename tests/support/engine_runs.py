@@ -31,8 +31,9 @@ from clpt_control.engine.conformance.checks import (
     roles,
 )
 from clpt_control.engine.conformance.confirmation import Confirmation, differ
+from clpt_control.engine.diagram.block_numbers import blocks_of
 from clpt_control.engine.diagram.interconnection import Diagram
-from clpt_control.engine.diagram.wiring import blocks_of, wiring_of
+from clpt_control.engine.diagram.wiring import wiring_of
 from clpt_control.engine.methods import METHODS, ROWS, Method
 from clpt_control.engine.model.declaration import Each
 from clpt_control.engine.model.system import linear

@@ -17,7 +17,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..diagram.wiring import Wiring, call_names
+from ..diagram.block_numbers import call_names
+from ..diagram.wiring import Wiring
 from ..model.block import Block
 from ..model.ports import indices_by_name
 from ..record.operations import JUMP, named

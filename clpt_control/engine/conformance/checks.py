@@ -23,8 +23,8 @@ import numpy as np
 
 from ...base.arguments import Count, Seed, public
 from ...base.errors import BlockError, DiagramError, Uncompiled
+from ..diagram.block_numbers import blocks_of
 from ..diagram.linearization import linearize
-from ..diagram.wiring import blocks_of
 from ..model.block import Block
 from ..model.declaration import powers
 from ..model.sampled import Sampled

@@ -6,15 +6,13 @@ Here all four are errors that name the block and the port.
 """
 
 from collections.abc import Callable, Iterable, Sequence
-from itertools import chain
 from typing import Any, NamedTuple
 
 import control
 import numpy as np
 
-from ...base.arguments import attribute_of, brief, has, has_nan, known, nearest, public
-from ...base.errors import BlockError, DiagramError
-from ...base.labelled import unit_of
+from ...base.arguments import attribute_of, brief, has, nearest, public
+from ...base.errors import DiagramError
 from ..model.block import Block
 from ..model.declaration import Guard, Parameters, check_names, ports_line, same_unit
 from ..model.ports import Vector, counts_of, labels, spans_of, vector, whole_labels
@@ -22,25 +20,19 @@ from ..model.sampled import Sampled
 from ..model.system import System
 from ..trace.arrays import Array
 from ..trace.tracing import Ports
+from .block_numbers import blocks_of, own_params
 from .wiring import (
     Params,
     Part,
     Wiring,
     as_part,
-    blocks_of,
-    call_names,
-    check_unit,
     input_ports,
     is_discrete,
     ordered_wiring,
     output_ports,
-    own_params,
-    prefixes_of,
     wiring_of,
 )
 
-# functions that return a sentence on an unknown parameter, by its name and the known names, or ""
-PARAMETER_HINTS: list[Callable[[str, set[str]], str]] = []
 # attributes that plots of python-control read first
 OF_PLOTS = ("plot_phase", "response", "frdata")
 MOST_BYTES = 10**9  # bytes of python-control's matrices
@@ -106,7 +98,7 @@ class Diagram(control.InterconnectedSystem):
         is_nested = any(has(value, "_fields") for value in params.values())
         is_nested |= bool(self.params) and set(self.params) <= set(params)
         if params and not is_nested:
-            changed_parameters(blocks_of(self), params)
+            blocks_of(self, params)
         params = own_params(self.name, params)
         super()._update_params(params)
         for subsystem in self.syslist:
@@ -116,54 +108,6 @@ class Diagram(control.InterconnectedSystem):
                 subsystem._update_params(
                     {**self.params, **own_params(subsystem.name, params)}
                 )
-
-
-def changed_parameters(blocks: Iterable[tuple[str, Any]], params: Params) -> list[Any]:
-    """Return each block's parameters, changed by ``{"block.field": value}``.
-
-    ``"a.adaptation.gain"`` changes one block of a nested diagram, ``"adaptation.gain"`` all blocks
-    of this name.  For python-control's systems ``"m"`` changes all, ``"plant.m"`` one.
-    """
-    params = params or {}
-    for key, value in params.items():
-        if has_nan(value):
-            raise BlockError(
-                f"params: {key} = {brief(value)}: must be a number, without NaN"
-            )
-    accepted = set()
-    names = set()
-    parameters = []
-    systems = []
-    for name, block in blocks:
-        fields = call_names(name, block)
-        changes = {fields[key]: params[key] for key in fields if key in params}
-        for field, value in changes.items():
-            check_unit(f"{name}.{field}", unit_of(value), [block.units.get(field, "")])
-        parameters.append(block.with_values(changes))
-        if isinstance(block, System):
-            systems.append((name, block))
-            continue
-        accepted |= set(fields)
-        names |= {f"{name}.{field}" for field in block.parameters._fields}
-    for key in params:
-        if key in accepted:
-            continue
-        is_read = any(
-            system.mentions(key.removeprefix(prefix))
-            for name, system in systems
-            for prefix in chain(*prefixes_of(name))
-        )
-        if not is_read:
-            names = names.union(*(system.names for _, system in systems))
-            raise BlockError(_unknown_parameter(key, accepted, names))
-    return parameters
-
-
-def _unknown_parameter(key: str, accepted: set[str], names: set[str]) -> str:
-    for hint_of in PARAMETER_HINTS:
-        if hint := hint_of(key, accepted):
-            return hint
-    return f"params: unknown parameter '{key}'. {known(key, sorted(names))}"
 
 
 class Port(NamedTuple):

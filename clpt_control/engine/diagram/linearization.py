@@ -30,7 +30,7 @@ from ..record.unread import Unread
 from ..trace.arrays import Tape, operand
 from ..trace.derivative import OF_OVERFLOW, Direction
 from ..trace.elementwise import lifted
-from .interconnection import Diagram, changed_parameters
+from .interconnection import Diagram
 from .merged_record import TapeRecord
 from .sampled_linearization import (
     common_period,
@@ -55,15 +55,7 @@ REACHED = 1e-9  # of the largest: a smaller component is not reached
 class _About:
     """A diagram's record about a point, with its derivative along each state and input."""
 
-    def __init__(
-        self,
-        diagram: Any,
-        wiring: Wiring,
-        block_parameters: list[Any],
-        t: float,
-        x: Any,
-        u: Any,
-    ):
+    def __init__(self, diagram: Any, wiring: Wiring, t: float, x: Any, u: Any):
         self.tape = Tape()
         self.point = np.concatenate([x, u])
         self.count = len(self.point)  # number of states and inputs
@@ -73,8 +65,8 @@ class _About:
         self.positions: dict[Any, slice] = {}  # of states and inputs, in the point
         self.direction = Direction(self.tape, self.slope_of, undefined=OF_OVERFLOW)
         self.parameters = {
-            node.name: node.system.parameters_at(t, p)
-            for node, p in zip(wiring.nodes, block_parameters, strict=True)
+            name: block.parameters_at(t, block.parameters)
+            for name, block in wiring.blocks
         }
         self.states = {}
         for node in wiring.nodes:
@@ -308,9 +300,8 @@ def _linearized(
     x = vector_of("x", x, n)
     u = vector_of("u", u, m)
     try:
-        block_parameters = changed_parameters(wiring.blocks, params)
         blocks = sampled_blocks(wiring)
-        about = _About(system, wiring, block_parameters, t, x, u)
+        about = _About(system, wiring, t, x, u)
         for _ in blocks:
             # some blocks sample what others make of their samples
             about.sample(blocks)

@@ -11,29 +11,32 @@ Otherwise each discrete system becomes a block that samples its inputs.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from contextlib import suppress
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
-from typing import Any, NamedTuple, TypeAlias
+from functools import cached_property
+from typing import Any, NamedTuple
 
 import control
 import numpy as np
 
-from ...base.arguments import attribute_of, has, known, vector_of
+from ...base.arguments import attribute_of, has, is_plain, known, vector_of
 from ...base.errors import ArgumentError, DiagramError
 from ...base.labelled import Labelled, axes_of, check_complete, labelled
 from ..model.block import Block
-from ..model.declaration import same_unit
 from ..model.ports import indices_by_name, port_of, ports_of
 from ..model.sampled import Sampled
 from ..model.system import System, linear
-from ..record.unread import Unread
+from .block_numbers import (
+    Given,
+    Params,
+    Part,
+    Sizes,
+    blocks_of,
+    check_params,
+    check_unit,
+    values_of,
+)
 from .evaluation_order import order_of
 
-Part: TypeAlias = control.NonlinearIOSystem  # a subsystem of a diagram
-Params = Mapping[str, Any] | None  # call-time parameters, as python-control has them
-# of states and inputs, for a system that leaves them open
-Sizes = tuple[int | None, int | None]
 # a sum of signals: block output k, or diagram input ~k -> its gain
 Row = dict[int, float]
 
@@ -105,6 +108,14 @@ class Wiring:
     def blocks(self) -> list[tuple[str, Any]]:
         """The blocks with their names."""
         return [(node.name, node.system) for node in self.nodes]
+
+    def parameters(self, params: Params = None) -> list[Any]:
+        """Return the parameters of each block, changed by the params of a call."""
+        check_params(Given("params", 0, params or {}), self.blocks)
+        return [
+            block.with_values(values_of(name, block, params or {}))
+            for name, block in self.blocks
+        ]
 
     def outputs_of(self, signals: Any, inputs: Any) -> np.ndarray:
         """Return the diagram's outputs; signals of blocks and inputs are on last axes."""
@@ -239,15 +250,17 @@ def units_of(wiring: Wiring) -> tuple[list[str], list[str]]:
 
 
 def wiring_of(
-    diagram: Part, params: Params = None, sizes: Sizes = (None, None)
+    diagram: Part,
+    params: Params = None,
+    sizes: Sizes = (None, None),
+    complete: bool = True,
 ) -> Wiring:
     """Return the wiring of a diagram, nested ones included, of blocks alone.
 
-    python-control's systems become blocks, with `params` as python-control passes them on, and
-    `sizes`, of states and inputs, if a system leaves them open.  An algebraic loop is refused.
+    The arguments are those of `blocks_of`.  An algebraic loop is refused.
     """
     inputs, outputs = _flatten(diagram, getattr(diagram, "name", repr(diagram)))
-    blocks = blocks_of(diagram, params, sizes)
+    blocks = blocks_of(diagram, params, sizes, complete)
     if not blocks:
         raise DiagramError(f"{diagram.name}: has no blocks. Give at least one")
     if None in (diagram.nstates, diagram.ninputs, diagram.noutputs):
@@ -266,97 +279,6 @@ def read_anew(system: Any) -> None:
             read_anew(subsystem)
         elif isinstance(subsystem, Block):
             subsystem.read_anew()
-
-
-# --- python-control's systems as blocks, and the names of their params ----------------------------
-
-
-def blocks_of(
-    diagram: Part, params: Params = None, sizes: Sizes = (None, None)
-) -> list[tuple[str, Block]]:
-    """Return the blocks of a diagram with their names, in its own order."""
-    return [
-        (name, _as_block(leaf, leaf_params, sizes, name))
-        for name, leaf, leaf_params in _leaves_with_params(diagram, params or {})
-    ]
-
-
-def _as_block(
-    system: Any, params: Params, sizes: Sizes = (None, None), name: str = ""
-) -> Block:
-    if isinstance(system, Block):
-        given, fields = params or {}, call_names(name, system)
-        changes = {fields[key]: given[key] for key in fields.keys() & given}
-        return _reading(system, changes) if changes else system
-    if isinstance(system, control.StateSpace):
-        return linear(system)
-    return System(system, params, sizes)
-
-
-def _reading(block: Any, changes: Mapping[str, Any]) -> Block:
-    """Return a block, or one made with values of a call that it reads as numbers."""
-    inner = block.unsampled
-    with suppress(Unread):
-        _ = inner.records
-    if not any(names & changes.keys() for names, _ in inner.read_with.values()):
-        return block
-    copy = block.copy(name=block.name)
-    copy.parameters = block.with_values(changes)
-    if inner is not block:
-        copy.inner = _reading(inner, changes)
-    return copy
-
-
-def _leaves_with_params(
-    system: Part, params: Mapping[str, Any], path: str = ""
-) -> Iterator[tuple[str, Part, dict[str, Any]]]:
-    """Yield name, system and params of each leaf, as python-control sets the params."""
-    if not isinstance(system, control.InterconnectedSystem):
-        name = path + system.name
-        yield name, system, {**system.params, **own_params(name, params)}
-        return
-    for subsystem in system.syslist:
-        inner = {**subsystem.params, **system.params, **params}
-        nested = isinstance(subsystem, control.InterconnectedSystem)
-        yield from _leaves_with_params(
-            subsystem, inner, f"{path}{subsystem.name}." if nested else path
-        )
-
-
-def own_params(name: str, params: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the params of one system; the key may begin with its name or a diagram's name."""
-    named_params = dict(params)
-    diagrams, systems = prefixes_of(name)
-    for prefix in (*diagrams[1:], *systems):
-        for key, value in params.items():
-            if str(key).startswith(prefix):
-                named_params[key.removeprefix(prefix)] = value
-    return named_params
-
-
-def call_names(name: str, block: Block) -> dict[str, str]:
-    """Return the names that a call may give a block's parameters, ``a.plant.k``, and the fields.
-
-    Parameters of python-control's systems, sampled or not, are called ``k`` and ``a.k`` too.
-    """
-    diagrams, systems = prefixes_of(name)
-    inner = block.unsampled
-    fields = inner.parameters._fields if isinstance(inner, System) else ()
-    names = {prefix + field: field for prefix in diagrams for field in fields}
-    fields = block.parameters._fields
-    return names | {prefix + field: field for prefix in systems for field in fields}
-
-
-@lru_cache(maxsize=1024)
-def prefixes_of(name: str) -> tuple[list[str], list[str]]:
-    """Return the prefixes of a param of ``a.plant``; the last has priority.
-
-    First of the diagrams around it, "" and "a.", then of itself, "plant." and "a.plant.".
-    """
-    path = name.split(".")
-    diagrams = [".".join([*path[:k], ""]) for k in range(len(path))]
-    systems = [".".join([*path[k:], ""]) for k in reversed(range(len(path)))]
-    return diagrams, systems
 
 
 def ordered_wiring(
@@ -422,12 +344,16 @@ def sampled(system: Part, period: float, params: Params = None) -> Part:
             inputs=system.input_labels,
             outputs=system.output_labels,
             name=system.name,
+            params=system.params,
         )
         diagram.set_connect_map(system.connect_map)
         diagram.set_input_map(system.input_map)
         diagram.set_output_map(system.output_map)
         return diagram
-    return Sampled(_as_block(system, params), period)
+    if not isinstance(system, Block):
+        is_linear = isinstance(system, control.StateSpace)
+        system = linear(system) if is_linear else System(system, params)
+    return Sampled(system, period)
 
 
 def _checked(system: Any) -> Part:
@@ -519,13 +445,6 @@ def state_units(wiring: Wiring) -> list[str]:
     return [unit for node in wiring.nodes for unit in node.system.units_of("state")]
 
 
-def check_unit(argument: str, given: str, units: Iterable[str]) -> None:
-    """Refuse a unit given that signals with units do not have."""
-    for unit in units:
-        if unit and given and not same_unit(unit, given):
-            raise ArgumentError(f"{argument}: is in '{given}'; must be in '{unit}'")
-
-
 def check_rows(argument: str, values: Any, count: int) -> None:
     """Refuse values of other signals than `count`."""
     if len(values) != count:
@@ -539,6 +458,8 @@ def check_positions(argument: str, value: Any, labels: Sequence[str]) -> None:
 
     Names of python-control's rows stay in their order when rows are selected.
     """
+    if is_plain(value):
+        return
     if axes_of(value) == []:
         value = [value] * len(labels)
     own = attribute_of(value, "signal_labels")
@@ -560,6 +481,8 @@ def vector_by_name(
     """Return states or inputs given by name as a vector, others in it the default or 0."""
     if value is None:
         return 0.0 if default is None else default
+    if is_plain(value):
+        return value
     given = labelled(argument, value)
     labels = getattr(system, f"{kind}_labels")
     if not isinstance(given, dict):

@@ -12,6 +12,8 @@ which are undefined functions in SymPy.
 """
 
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
+from copy import copy
 from threading import local
 from types import MappingProxyType
 from typing import Any
@@ -22,7 +24,7 @@ from numpy.typing import ArrayLike
 from ...base.arguments import brief, check_known, has, known, numbers, public
 from ...base.errors import ArgumentError, BlockError
 from ..record.graph import Record, evaluated
-from ..record.unread import line_of
+from ..record.unread import Unread, line_of
 from ..trace.tracing import RAISED
 from .declaration import (
     POLICIES,
@@ -314,8 +316,8 @@ class Block(ReadBlock):
         return self.with_values(changes)
 
     @public
-    def with_values(self, changes: Mapping[str, Any]) -> Any:
-        """Return the parameters with some fields changed."""
+    def with_values(self, changes: Mapping[str, Any], complete: bool = True) -> Any:
+        """Return the parameters with some fields changed; `complete` ones obey the rules."""
         check_known(self.name, changes, self.parameters._fields)
         for field, value in changes.items():
             fixed = getattr(self.parameters, field)
@@ -329,7 +331,25 @@ class Block(ReadBlock):
         changed = checked_parameters(
             self.name, self.parameters._replace(**changes), self.parameters
         )
-        check_rules(self, changed)
+        if complete:
+            check_rules(self, changed)
+        return changed
+
+    def having(self, values: Mapping[str, Any], complete: bool = True) -> Any:
+        """Return the block with other numbers; functions that read one are traced anew."""
+        if not values:
+            return self
+        changed = copy(self)
+        changed._parameters = self.with_values(values, complete)
+        inner = self.unsampled
+        with suppress(Unread):
+            _ = inner.records
+        if not any(names & values.keys() for names, _ in inner.read_with.values()):
+            changed.__dict__["_read_records"] = self._records
+        else:
+            changed._forget()
+            if inner is not self:
+                changed.inner = inner.having(values, complete=False)
         return changed
 
     def _update_params(self, params: Mapping[str, Any] | None) -> None:

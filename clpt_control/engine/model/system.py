@@ -116,7 +116,13 @@ class System(Block):
         """Return the parameters with some changed; python-control passes unknown ones on."""
         return self.with_values(params or {})
 
-    def with_values(self, changes: Mapping[str, Any]) -> Any:
+    def having(self, values: Mapping[str, Any], complete: bool = True) -> Any:
+        """Return the system with other numbers among its params."""
+        changed = super().having(values, complete)
+        changed._params = self._params_with(changed._parameters)
+        return changed
+
+    def with_values(self, changes: Mapping[str, Any], complete: bool = True) -> Any:
         """Return the parameters with some changed, except names that are no numbers."""
         changed = {
             key: _leaf(value)

@@ -33,7 +33,6 @@ ENGINES = ("native", "python")
 
 def make_runner(
     wiring: Wiring,
-    params: Mapping[str, Any] | None = None,
     engine: str | None = None,
     name: str = "the diagram",
     apart: Mapping[tuple[int, str], Any] = {},
@@ -50,12 +49,12 @@ def make_runner(
         )
     if choice == "native":
         try:
-            return NativeDiagram(wiring, params, apart=apart)
+            return NativeDiagram(wiring, apart=apart)
         except Uncompiled as error:
             warn_python(name, str(error))
     from .python_runs import PythonDiagram
 
-    runner = PythonDiagram(wiring, params)
+    runner = PythonDiagram(wiring)
     runner.hidden_state = hidden_state(wiring)
     return runner
 

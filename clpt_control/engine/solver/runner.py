@@ -21,7 +21,6 @@ import numpy as np
 from ...base.arguments import numbers, vector_of
 from ...base.errors import SimulationError
 from ..codegen.diagram_record import Layout
-from ..diagram.interconnection import changed_parameters
 from ..diagram.wiring import Wiring, read_anew, wiring_of
 from ..methods import METHODS
 from .evaluation_pass import Sweep
@@ -54,9 +53,7 @@ class Runner(ABC):
         else:
             read_anew(diagram)
             self.wiring = wiring_of(diagram, params)
-        self.block_parameters: Sequence[Any] = changed_parameters(
-            self.wiring.blocks, params
-        )
+        self.block_parameters: Sequence[Any] = self.wiring.parameters()
         self.nstates = self.sweep.nstates
         self.nsignals = len(self.sweep.signals)
         jumps = {k: index for index, k in enumerate(self.sweep.jumping)}

@@ -56,9 +56,7 @@ class RunningBlocks:
     def __init__(self, system: control.NonlinearIOSystem, V: str = "V[0]"):
         self.system, self.wiring = system, wiring_of(system)
         self.V = [system.output_labels.index(V)] if V else []
-        self.sweep = Sweep(
-            self.wiring, [node.system.parameters for node in self.wiring.nodes]
-        )
+        self.sweep = Sweep(self.wiring, self.wiring.parameters())
 
     def by_control(self, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> Values:
         """Return rates and V as python-control computes them."""

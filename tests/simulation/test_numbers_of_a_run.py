@@ -1,0 +1,211 @@
+"""The numbers of a block in a run: its own, those of diagrams around it, of a call and a sweep.
+
+python-control hands a system's params on in this order: its own, the inner diagram's, the outer
+diagram's, the call's; the last has priority.  Every verb has the same numbers.
+"""
+
+import control
+import numpy as np
+import pytest
+
+import clpt_control as clpt
+from clpt_control import parts
+
+TIMES = np.linspace(0.0, 2.0, 9)
+START = [0.4, -0.3]
+NAMES = "lag.gain", "lag.lag", "k"
+
+
+def rates(t, x, u, p):
+    return [u[0] - p["k"] * x[0]]
+
+
+def nested(own, inner, outer, connect):
+    """Return r -> lag -> decay, nested twice; params of diagrams as python-control or we wire."""
+    lag = parts.lag(own["lag.lag"], gain=own["lag.gain"], u="r", y="v")
+    plant = control.nlsys(
+        rates,
+        None,
+        inputs="v",
+        outputs="z",
+        states=1,
+        params={"k": own["k"]},
+        name="decay",
+    )
+    if connect:
+        small = clpt.connect([lag, plant], "r", name="small")
+        small.params = {**small.params, **inner}
+        large = clpt.connect([small], "r", name="large")
+        large.params = {**large.params, **outer}
+        return large
+    small = control.interconnect(
+        [lag, plant], connections=[["decay.v", "lag.v"]], inplist=["lag.r"], inputs=["r"],
+        outlist=["lag.v", "decay.z"], outputs=["v", "z"], name="small", params=inner,
+    )  # fmt: skip
+    return control.interconnect(
+        [small], inputs=["r"], outputs=["v", "z"], name="large", params=outer
+    )
+
+
+def drawn(generator):
+    """Return numbers for all names, then for some names, by the four givers."""
+    sets = []
+    for share in (1.0, 0.5, 0.5, 0.5):
+        chosen = [name for name in NAMES if generator.random() < share]
+        sets.append({name: float(generator.uniform(0.5, 2.0)) for name in chosen})
+    return sets
+
+
+def by_control(system, call, start=START):
+    """Return v and z of python-control at TIMES, for r = 1."""
+    run = control.input_output_response(
+        system, TIMES, np.ones(len(TIMES)), start, params=call,
+        solve_ivp_method="DOP853", solve_ivp_kwargs={"rtol": 1e-9, "atol": 1e-11},
+    )  # fmt: skip
+    return np.atleast_2d(run.outputs)[-2:].T
+
+
+def expected(numbers, start=START, r=1.0):
+    """Return v and z at TIMES by a matrix exponential."""
+    T, g, k = numbers["lag.lag"], numbers["lag.gain"], numbers["k"]
+    plant = control.ss([[-1 / T, 0], [1, -k]], [[g / T], [0]], np.eye(2), 0)
+    return control.forced_response(
+        plant, TIMES, r * np.ones(len(TIMES)), start
+    ).outputs.T
+
+
+@pytest.mark.parametrize("case", range(200))
+def test_runs_have_the_numbers_of_python_control(case):
+    generator = np.random.default_rng(case)
+    own, inner, outer, call = drawn(generator)
+    system = nested(own, inner, outer, connect=case % 2)
+    numbers = own | inner | outer | call
+    right = expected(numbers)
+    if case < 40:
+        np.testing.assert_allclose(by_control(system, call), right, atol=1e-6)
+    run = clpt.simulate(system, TIMES, 1.0, START, call)
+    np.testing.assert_allclose(np.transpose([run.v, run.z]), right, atol=1e-7)
+    prepared = clpt.prepare(system, TIMES, 1.0, START, call)
+    np.testing.assert_allclose(prepared().states, right, atol=1e-7)
+    changed = {name: 1.5 * value for name, value in call.items()}
+    np.testing.assert_allclose(
+        prepared(params=changed).states, expected(numbers | changed), atol=1e-7
+    )
+
+
+def as_of_members(system, call):
+    members = clpt.run_ensemble(
+        system, {"r": [1.0, 2.0]}, timepts=TIMES, initial_state=START, params=call,
+        trajectories=True,
+    )  # fmt: skip
+    return np.transpose([members.v.values[0], members.z.values[0]])
+
+
+def as_of_sensitivity(system, call):
+    """Return states as the sum of their derivatives times the start, and of a run from rest."""
+    run = clpt.sensitivity(
+        system, TIMES, inputs=1.0, initial_state=START, params=call, to="x0"
+    )
+    homogeneous = run.states.values @ START  # of a linear system
+    particular = clpt.simulate(system, TIMES, 1.0, [0.0, 0.0], call).states.values
+    return homogeneous + particular
+
+
+def as_of_enclosure(system, call):
+    tube = clpt.enclose(system, TIMES, 1.0, START, call)
+    np.testing.assert_allclose(tube.upper, tube.lower, atol=1e-9)
+    return tube.lower.values[:, :2]
+
+
+def as_of_linearization(system, call):
+    linear = clpt.linearize(system, [0.0, 0.0], [0.0], params=call)
+    u = np.ones(len(TIMES))
+    return control.forced_response(linear, TIMES, u, START).states.T
+
+
+VERBS = {
+    function.__name__: function
+    for function in (
+        as_of_members,
+        as_of_sensitivity,
+        as_of_enclosure,
+        as_of_linearization,
+    )
+}
+
+
+@pytest.mark.parametrize("verb", VERBS.values(), ids=VERBS)
+@pytest.mark.parametrize("case", range(6))
+def test_every_verb_has_these_numbers(verb, case):
+    own, inner, outer, call = drawn(np.random.default_rng(1000 + case))
+    system = nested(own, inner, outer, connect=case % 2)
+    right = expected(own | inner | outer | call)
+    np.testing.assert_allclose(verb(system, call), right, atol=1e-6)
+
+
+@pytest.mark.parametrize("connect", [False, True])
+def test_equations_points_and_fits_have_these_numbers(connect):
+    own = {"lag.gain": 3.0, "lag.lag": 1.0, "k": 1.0}
+    system = nested(own, {"lag.gain": 4.0, "k": 2.0}, {"lag.gain": 5.0}, connect)
+    numbers = own | {"lag.gain": 5.0, "k": 2.0}
+    rates_of = clpt.equations(system, numbers=True).rates
+    assert str(rates_of["v"][0]) == "-v + 5*r(t)"
+    assert str(rates_of["x"][0]) == "v - 2*x"
+    point = control.find_operating_point(system, [0, 0], [1.0])
+    linear = clpt.linearize(system, point.states, [1.0])
+    np.testing.assert_allclose(np.ravel(control.dcgain(linear)), point.outputs[-2:])
+    z = expected(numbers | {"lag.lag": 1.7})[:, 1]
+    fit = clpt.fit_parameters(system, {"z": z}, {"lag.lag": 1.0}, TIMES, 1.0, START)
+    assert fit.values["lag.lag"] == pytest.approx(1.7, abs=1e-6)
+
+
+@pytest.mark.parametrize("connect", [False, True])
+@pytest.mark.parametrize("where", ["inner", "outer"])
+def test_an_unknown_name_in_a_diagram_is_refused_with_the_nearest(connect, where):
+    own = {"lag.gain": 3.0, "lag.lag": 1.0, "k": 1.0}
+    wrong = {"inner": {}, "outer": {}} | {where: {"lag.gian": 5.0}}
+    system = nested(own, **wrong, connect=connect)
+    with pytest.raises(
+        clpt.ClptError, match=r"params: unknown parameter 'lag\.gian'.*lag\.gain"
+    ):
+        clpt.simulate(system, TIMES, 1.0)
+
+
+def test_rules_are_of_the_complete_numbers():
+    """high of a diagram, 3, and low of a call, 1.5: below high of the diagram, not of the block."""
+    limit = parts.saturation(-1.0, 1.0, name="limit")
+    system = control.interconnect(
+        [limit], inplist=["limit.u"], inputs=["u"], outlist=["limit.y"], outputs=["y"],
+        params={"limit.high": 3.0}, name="clipped",
+    )  # fmt: skip
+    u = np.linspace(0.0, 4.0, 9)
+    run = clpt.simulate(system, TIMES, u, params={"limit.low": 1.5})
+    np.testing.assert_allclose(run.y, np.clip(u, 1.5, 3.0))
+    with pytest.raises(clpt.ClptError, match=r"low = 3\.5"):
+        clpt.simulate(system, TIMES, u, params={"limit.low": 3.5})
+
+
+def test_members_with_one_mode_share_a_block_made_anew():
+    def falls(t, x, u, p):
+        return [x[1], -9.81 if p.mode == 1 else -5.0 + p.drift]
+
+    ball = clpt.Block(
+        "ball", update=falls, states={"h": 1, "v": 1}, parameters={"mode": 1.0, "drift": 0.0},
+        jump=lambda t, x, u, p: [0.0, -0.8 * x[1]],
+        guard=clpt.Guard(lambda t, x, u, p: x[0], "jump"),
+    )  # fmt: skip
+    vary = {"ball.mode": [1.0, 2.0], "ball.drift": [0.0, 0.5, 1.0]}
+    members = clpt.run_ensemble(
+        ball, vary, timepts=TIMES[:5], initial_state=[1.0, 0.0], trajectories=True
+    )
+    for mode in vary["ball.mode"]:
+        for drift in vary["ball.drift"]:
+            params = {"ball.mode": mode, "ball.drift": drift}
+            run = clpt.simulate(
+                ball, TIMES[:5], initial_state=[1.0, 0.0], params=params
+            )
+            row = members.where(
+                (members["ball.mode"] == mode) & (members["ball.drift"] == drift),
+                drop=True,
+            )
+            np.testing.assert_allclose(row.h.values.ravel(), run.h.values, atol=1e-7)
