@@ -59,10 +59,11 @@ solver-check: $(READY)  ## print the solver anew, and compare it with the text t
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt numba
 	$(BIN)/python tools/print_solver.py --check
 
-lint: $(READY)  ## ruff and mypy
+lint: $(READY)  ## ruff, mypy and sizes
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
+	$(BIN)/python tools/check_sizes.py
 
 docs: $(SITE)  ## the site in build/docs: warnings are errors, notebooks run
 	OPENBLAS_NUM_THREADS=1 $(BIN)/sphinx-build --fail-on-warning --keep-going --nitpicky --quiet \
