@@ -11,7 +11,7 @@ from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import partial, reduce
 from itertools import product
-from math import inf, isfinite, nextafter
+from math import inf, isfinite, nan, nextafter
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -29,6 +29,7 @@ from .ball_series import LEFT
 from .balls import FUNCTIONS, Ball, Interval, Switching, Undecided, between
 
 MOST_WHOLE = 64  # power that is a product
+UNBOUNDED = "a divisor may be 0, or a value has no bound"
 
 
 def power(a: Any, exponent: Any) -> Any:
@@ -235,11 +236,15 @@ class SetProgram(Elements):
 class SetSeries:
     """Coefficients of a program up to an order, with derivatives along values of x and P.
 
-    Arrays are those of `ball_series`; they are written anew by each evaluation.
+    Arrays are those of `ball_series`; they are written anew by each evaluation.  A result without
+    bounds is an error, or NaN alone if results stand `apart`.
     """
 
     def __init__(self, program: SetProgram, order: int, along: Any = ()):
         self.program, self.order, self.width = program, order, 1 + len(along)
+        self.apart = False
+        # values that had no bounds in the last evaluation
+        self.why: dict[int, str] = {}
         self.jumps = False  # whether members have been on both sides of a jump
         shape = len(program.still), order + 1, self.width
         self.C, self.R = C, _ = np.zeros(shape), np.zeros(shape)
@@ -284,9 +289,17 @@ class SetSeries:
         self.put(self.of_P, P[self.offsets])
         # 2. order 0 of the others
         done = 0
+        self.why.clear()
         for step in program.steps:
             self.machine(done, step.line, 0, 0, 0, 1)
-            done = step.line + self.take(step, loose)
+            try:
+                done = step.line + self.take(step, loose)
+            except Undecided as error:
+                if not self.apart:
+                    raise
+                self.why[step.result] = str(error)
+                self.C[step.result, 0, 0] = nan
+                done = step.line + (step.kind not in DECIDED)
         self.machine(done, count, 0, 0, 0, 1)
         # 3. derivatives, and higher orders
         if width > 1:
@@ -294,9 +307,22 @@ class SetSeries:
         if self.order:
             self.machine(0, count, 1, self.order, 0, width)
         found = Ball(self.C[self.results, :, :width], self.R[self.results, :, :width])
-        if not np.isfinite([*found]).all():
-            raise Undecided("a divisor may be 0, or a value has no bound")
+        is_bounded = np.isfinite([*found]).all(axis=(0, 2, 3))
+        if not (self.apart or is_bounded.all()):
+            raise Undecided(UNBOUNDED)
+        found.c[~is_bounded] = nan
         return found
+
+    def reason(self, result: int) -> str:
+        """Return why a result had no bounds in the last evaluation."""
+        known = reversed(self.program.known.items())
+        operands = {value: key[1] for key, value in known if len(key) == 3}
+        values = [result]
+        for value in values:
+            if self.why.get(value, UNBOUNDED) != UNBOUNDED:
+                return self.why[value]
+            values += {*operands.get(value, ())}.difference(values)
+        return UNBOUNDED
 
     # --- what Python does at order 0 ----------------------------------------------------------
 
@@ -304,7 +330,7 @@ class SetSeries:
         """Return bounds of a first coefficient; limits may be infinite."""
         c, r = float(self.C[slot, 0, 0]), float(self.R[slot, 0, 0])
         if not isfinite(c + r) and not (is_limit and r == 0.0 and c == c):
-            raise Undecided("a value has no bound")
+            raise Undecided(UNBOUNDED)
         return (nextafter(c - r, -inf), nextafter(c + r, inf)) if r else (c, c)
 
     def take(self, step: Step, loose: bool) -> int:

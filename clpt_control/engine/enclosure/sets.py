@@ -17,7 +17,6 @@ times, such as those of sampled blocks, map the set by the mean value form.
 """
 
 from collections.abc import Iterator
-from contextlib import suppress
 from copy import deepcopy
 from typing import Any
 
@@ -39,6 +38,7 @@ SHORTER = 2.0**-5  # least step by series after one without
 TRUNCATION = 2.0**-53  # wished remainder, of the size of a state
 SHARE = 1e-4  # and of the radius of its box
 REACH = 1e-300  # least width of a box that holds runs
+EMPTY = np.array([np.inf, -np.inf])[:, None, None, None]  # bounds of no number
 
 
 def moved(t: float, new: float) -> Ball:
@@ -98,6 +98,7 @@ class Enclosure:
         self.leaps = SetSeries(leaps, 0, along)
         self.jumps = jumps  # places of their requests in P; None in discrete time
         self.signals = SetSeries(signals, 0, along)
+        self.signals.apart = True
         self.P, self.noise = P, noise[disturbed]
         self.disturbed_P = Ball(P.c, (P.r + noise) * balls.GROWTH)
         # 3. results
@@ -107,7 +108,8 @@ class Enclosure:
         self.h, self.short = np.inf, SHORTEST * self.span
         self.steps = self.crude = 0  # all steps, and those without series
         shape = 2, 2, len(times), n + len(signals.results)
-        self.bounds = np.full(shape, np.nan)
+        self.bounds = np.full(shape, EMPTY)
+        self.lost: dict[int, str] = {}  # signals without bounds, and why
 
     def halves(self) -> Iterator[Ball]:
         """Yield the two halves of the box along what bends runs most."""
@@ -141,7 +143,7 @@ class Enclosure:
     def _begin(self) -> None:
         """Begin a segment with its jumps; a sample there is after them."""
         now = slice(self.place(self.t), self.place(self.t, "right"))
-        self.bounds[:, 0, now] = np.nan
+        self.bounds[:, 0, now] = EMPTY[:, 0]
         if self.jumps and np.any(self.P.c[self.jumps]):
             try:
                 self._put(*self._image(self.leaps, exact(self.t), *self._set))
@@ -173,18 +175,17 @@ class Enclosure:
         box = self._box(x, G)
         for B in hull:
             box = between(np.fmax(box.lower, B.lower), np.fmin(box.upper, B.upper))
-        low, high = np.full((2, len(self.signals.results)), [[-np.inf], [np.inf]])
-        for is_plain in (True, False) if len(low) else ():
-            with suppress(Undecided):
-                if is_plain:
-                    found = self.signals.evaluate(t, box, self.disturbed_P, loose=True)
-                    found = found[:, 0, 0]
-                else:
-                    found = self._box(*self._image(self.signals, t, x, G))
-                low, high = np.fmax(low, found.lower), np.fmin(high, found.upper)
+        low, high = box.lower, box.upper
+        if len(self.signals.results):
+            y = self._box(*self._image(self.signals, t, x, G))
+            plain = self.signals.evaluate(t, box, self.disturbed_P, loose=True)[:, 0, 0]
+            low = np.append(low, np.fmax(plain.lower, y.lower))
+            high = np.append(high, np.fmin(plain.upper, y.upper))
+            for k in {*np.flatnonzero(np.isnan(low[self.n :]))}.difference(self.lost):
+                self.lost[k] = self.signals.reason(self.signals.results[k])
         lower, upper = self.bounds[:, which, rows]
-        np.fmin(lower, np.append(box.lower, low), out=lower)
-        np.fmax(upper, np.append(box.upper, high), out=upper)
+        np.minimum(lower, low, out=lower)
+        np.maximum(upper, high, out=upper)
 
     def _advance(self, end: float) -> None:
         """Take a step, without series if there is none."""
