@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING, Any
 import control
 import numpy as np
 
-from ..base.arguments import Count, attribute_of, brief, numbers, public
+from ..base.arguments import Count, attribute_of, brief, has, numbers, public
 from ..base.errors import ArgumentError, SimulationError, Uncompiled
 from ..base.figures import BLUE, literal
+from ..base.labelled import Labelled, unlabelled
 from ..engine.codegen.diagram_record import DiagramRecord, Form
 from ..engine.codegen.directional_derivatives import read_as_number
 from ..engine.enclosure.balls import Ball, between
@@ -23,7 +24,7 @@ from ..engine.solver.native_diagram import NativeDiagram
 from ..engine.solver.termination import Solution
 from .comparison import panels_for
 from .diagram_runs import DiagramRun, distinct_labels, fields_of
-from .requests import Request, request_of
+from .requests import Request, joined, request_of
 
 if TYPE_CHECKING:
     import xarray
@@ -35,8 +36,10 @@ MOST_NUMBERS = 1_000_000  # of a coefficient; there are 27, of centres and radii
 ROUNDING = 2.0**-48
 GUARANTEED = (
     "guaranteed: every run from these states, parameters and inputs, of the recorded equations "
-    "with their numbers as doubles and exact arithmetic, exists and lies within the boxes"
+    "with their numbers as doubles and exact arithmetic, exists and lies within the boxes of"
 )
+# attributes of values with names, times or a unit
+LABELS = "coords", "iloc", "items", "output_labels", "signal_labels"
 
 
 def is_pair(entry: Any) -> bool:
@@ -44,55 +47,66 @@ def is_pair(entry: Any) -> bool:
     return isinstance(entry, tuple) and len(entry) == 2
 
 
-@np.errstate(all="ignore")
-def end_of(name: str, value: Any, is_upper: bool, is_entry: bool = False) -> Any:
-    """Return lower or upper numbers of an argument whose entries may be pairs."""
-    if isinstance(value, Mapping):
-        return {
-            key: end_of(f"{name}[{key!r}]", entry, is_upper, True)
-            for key, entry in value.items()
-        }
-    if is_pair(value) and holds_pair(value):
-        raise ArgumentError(
-            f"{name} = {value!r:.60}: may be two pairs or the ends of one. Give ends that are "
-            "lists, of a port a list of pairs"
-        )
-    if is_entry and is_pair(value):
-        ends = lower, upper = [numbers(name, end) for end in value]
-        is_ordered = lower.shape == upper.shape and lower.size
-        if not is_ordered or not np.all((lower <= upper) & np.isfinite(upper - lower)):
+def holds_pair(value: Any) -> bool:
+    """Return whether a list, a mapping or a table has an interval among its entries."""
+    entries = value if isinstance(value, list | tuple) else ()
+    if has(value, "items"):
+        entries = dict(value).values()
+    return any(is_pair(entry) or holds_pair(entry) for entry in entries)
+
+
+def is_labelled(end: Any) -> bool:
+    """Return whether an end has names, times or a unit."""
+    return any(has(end, name) for name in LABELS)
+
+
+def end_of(name: str, value: Any, is_upper: bool) -> Any:
+    """Return an argument with the lower or upper end in the place of each pair.
+
+    Ends with labels stay as they are; whole numbers and lists are no places of a record.
+    """
+    if is_pair(value):
+        if holds_pair(value):
             raise ArgumentError(
-                f"{name} = {brief(value)}: must be a pair (lower, upper) with lower <= upper, a "
-                "finite width and one shape. Several numbers are a list"
+                f"{name} = {brief(value)}: may be two pairs or the ends of one. Give ends that are "
+                "lists, of a port a list of pairs"
             )
-        # whole numbers and lists are no places of a record
-        return ends[is_upper] if lower.ndim else float(ends[is_upper])
+        if not any(map(is_labelled, value)):
+            check_ordered(f"{name} = {brief(value)}", *value)
+        end = value[is_upper]
+        return end if is_labelled(end) else unlabelled(name, end)[()]
+    if not holds_pair(value):
+        return value
     if isinstance(value, list | tuple):
-        return [
-            end_of(f"{name}[{k}]", entry, is_upper, True)
-            for k, entry in enumerate(value)
-        ]
-    return value
+        return [end_of(f"{name}[{k}]", one, is_upper) for k, one in enumerate(value)]
+    entries = dict(value).items()
+    return {key: end_of(f"{name}[{key!r}]", one, is_upper) for key, one in entries}
 
 
-def holds_pair(entry: Any) -> bool:
-    """Return whether a list has an interval among its entries."""
-    return isinstance(entry, list | tuple) and any(
-        is_pair(one) or holds_pair(one) for one in entry
-    )
+@np.errstate(all="ignore")
+def check_ordered(where: str, *ends: Any) -> None:
+    """Refuse ends that are no interval."""
+    lower, upper = (numbers(where, end) for end in ends)
+    is_ordered = lower.shape == upper.shape and lower.size
+    if not is_ordered or not np.all((lower <= upper) & np.isfinite(upper - lower)):
+        raise ArgumentError(
+            f"{where}: must be a pair (lower, upper) with lower <= upper, a finite width and one "
+            "shape. Several numbers are a list"
+        )
 
 
 def check_pairs(inputs: Any, initial_state: Any, params: Mapping[str, Any]) -> None:
     """Refuse pairs that may be read in two ways."""
     for name, given in (("inputs", inputs), ("initial_state", initial_state)):
-        if is_pair(given):
+        if is_pair(given) and not any(isinstance(end, Mapping) for end in given):
             raise ArgumentError(
-                f"{name} = {given!r:.60}: may be one pair or two numbers. Give a list, or a mapping"
+                f"{name} = {brief(given)}: may be one pair or two numbers. Give a list, or a "
+                "mapping"
             )
     for name, entry in params.items():
         if not is_pair(entry) and holds_pair(entry):
             raise ArgumentError(
-                f"params: {name} = {entry!r:.60}: has pairs within an array. Give a pair of "
+                f"params: {name} = {brief(entry)}: has pairs within an array. Give a pair of "
                 "arrays, (lower, upper)"
             )
 
@@ -100,7 +114,7 @@ def check_pairs(inputs: Any, initial_state: Any, params: Mapping[str, Any]) -> N
 def check_ports(argument: str, given: Any, labels: list[str]) -> None:
     """Refuse two numbers for a port of several, which may be one pair of each."""
     ports = ports_of(labels)
-    for key, entry in given.items() if isinstance(given, Mapping) else ():
+    for key, entry in given.items() if has(given, "items") else ():
         if is_pair(entry) and not np.ndim(entry[0]) and len(ports.get(key, ())) == 2:
             raise ArgumentError(
                 f"{argument}[{key!r}] = {brief(entry)}: may be one pair or two numbers. Give a "
@@ -127,7 +141,9 @@ def enclose(
     ----------
     system, timepts, inputs, initial_state, params
         As of `simulate`; each number in a list or mapping may be a pair, of an array of parameters
-        a pair of arrays.
+        a pair of arrays. Ends are read as values are, by names, times and units. Both ends may be
+        mappings, and samples of an input at other times. Times, if none are given, are those of
+        the lower end.
     pieces
         Into how many pieces a wide set is divided at most, one after the other where boxes end
         first or grow most. `pieces` take about 2 `pieces` times the CPU of one.
@@ -137,10 +153,10 @@ def enclose(
     xarray.Dataset
         ``lower`` and ``upper`` of each state and output at each time, after its jumps;
         ``over_lower`` and ``over_upper`` from the time before to it, narrower the closer the times
-        are. NaN is no statement. Names are those of `simulate`: ``x[0]`` is the output if a state
-        and another output have the name x, and ``x_state[0]`` is the state. The attribute
-        ``message`` says what is guaranteed, to which time, and why not longer. ``clpt.plot()``
-        draws the boxes.
+        are. NaN is no statement; the message names outputs without a bound. Names are those of
+        `simulate`: ``x[0]`` is the output if a state and another output have the name x, and
+        ``x_state[0]`` is the state. The attribute ``message`` says what is guaranteed, to which
+        time, and why not longer. ``clpt.plot()`` draws the boxes.
 
         A point takes 20 to 400 times the CPU of `simulate`; stiff systems and roots at 0 more.
 
@@ -160,27 +176,26 @@ def enclose(
     """
     # 1. programs of the record
     check_pairs(inputs, initial_state, params or {})
+    given = {"inputs": inputs, "initial_state": initial_state, "params": params or {}}
     ends = [
-        [
-            end_of("inputs", inputs, is_upper),
-            end_of("initial_state", initial_state, is_upper),
-            end_of("params", params or {}, is_upper),
-        ]
+        [end_of(name, value, is_upper) for name, value in given.items()]
         for is_upper in (False, True)
     ]
     try:
-        requests = [
-            request_of(system, timepts, u, x, multiples=True) for u, x, _ in ends
-        ]
+        requests = requests_of(system, timepts, ends)
         request = requests[0]
         with request.drawn_around():
             made = DiagramRun(request.diagram, ends[0][2], request.sizes, "python")
         check_ports("inputs", inputs, made.input_labels)
         check_ports("initial_state", initial_state, made.states)
+        low, high = (one.start for one in requests)
+        (at, lower), (_, upper) = (one.inputs.samples for one in requests)
+        names = made.states + made.input_labels
+        for name, *both in zip(names, [*low, *lower], [*high, *upper], strict=True):
+            check_ordered(name, *both)
         natives = natives_of(made, [end[2] for end in ends], requests)
         layout = natives[0].layout
         record = DiagramRecord(made.wiring, layout, Form(exact=True))
-        low, high = (one.start for one in requests)
         start = between(low, high)
         leaps = record.rates if made.wiring.dt else record.leaps
         programs = [
@@ -203,14 +218,21 @@ def enclose(
     room = np.zeros(layout.inputs(made.wiring.ninputs) - len(P.c))
     pairs = zip(start, P, strict=True)
     whole = Ball(*(np.concatenate([x, p, room]) for x, p in pairs))
-    read, noise = middle_inputs(requests)
+    middle = between(lower, upper)
+    noise = np.max(middle.r, axis=1)
+    # lines between samples, and between the middles, are rounded
+    noise += np.where(noise, ROUNDING * np.max(middle.size, axis=1), 0.0)
     disturbed = np.zeros(len(P.c) + len(room))
     disturbed[len(layout.P) + 1 :][: len(noise)] = noise
     jumps = None if made.wiring.dt else [*layout.jumps.values()]
     times = request.times if request.steps is None else request.times[request.steps]
-    schedule = natives[0].schedule(request.times, read)
+    schedule = natives[0].schedule(request.times, Inputs((at, middle.c)))
     runs = enclosed(whole, schedule, pieces, programs, disturbed, times, jumps)
-    tube = dataset_of(runs, names)
+    lost = {names[one.n + k]: why for one in runs for k, why in one.lost.items()}
+    whose = "all states and outputs" + (f" but {', '.join(lost)}" if lost else "")
+    tube = dataset_of(runs, names, f"{GUARANTEED} {whose}")
+    for name, why in lost.items():
+        tube.attrs["message"] += f"; {name} has no box at some times, as {why}"
     # 3. whether runs are back where they began
     states = tube.isel(time=slice(1, None), name=slice(len(start.c)))
     back = ((states.lower >= low) & (states.upper <= high)).all("name").values
@@ -224,7 +246,7 @@ def enclose(
     if back.any() and not is_timed:
         tube.attrs["message"] += (
             f"; at t = {times[1:][back][0]:.9g} all states are within the bounds that they "
-            "began in, so the `over_` boxes up to then hold for ever"
+            f"began in, so the `over_` boxes of {whose} up to then hold for ever"
         )
     return tube
 
@@ -257,6 +279,31 @@ def names_of(made: DiagramRun, signals: SetProgram) -> list[str]:
     return names
 
 
+def requests_of(system: Any, timepts: Any, ends: list[Any]) -> list[Request]:
+    """Return requests with the lower and the upper inputs and states, read by one clock."""
+    (u, x, _), (u_high, x_high, _) = ends
+    low = request_of(system, timepts, u, x, multiples=True)
+    both = [low, low.with_inputs(u_high).with_state(x_high)]
+    # inputs of both at the times of both, from the first to the last of the run
+    edges = low.times[[0, -1]]
+    rows = [
+        Labelled(row, one.inputs.samples[0] if len(row) > 1 else None)
+        for one in both
+        for row in one.inputs.samples[1]
+    ]
+    rows.append(Labelled(edges, edges))
+    t, values = joined(rows, edges, edges).samples
+    begin, end = t.searchsorted(edges[0], "right") - 1, t.searchsorted(edges[1]) + 1
+    t, values, count = t[begin:end], values[:, begin:end], low.sizes[1]
+    lower, upper = values[:count], values[count : 2 * count]
+    # numbers between samples are rounded
+    size = np.max(np.abs(upper), axis=1, keepdims=True, initial=0.0)
+    are_close = lower - upper <= ROUNDING * size
+    inputs = lower, np.where(are_close, np.maximum(lower, upper), upper)
+    pairs = zip(both, inputs, strict=True)
+    return [one._replace(inputs=Inputs((t, rows))) for one, rows in pairs]
+
+
 def natives_of(
     made: DiagramRun, ends: list[Any], requests: list[Request]
 ) -> list[NativeDiagram]:
@@ -265,8 +312,13 @@ def natives_of(
     wiring, (lower, upper) = made.wiring, ends
     pairs = [name for name in lower if not np.array_equal(lower[name], upper[name])]
     fields = fields_of(wiring, pairs)
+    if still := {*pairs}.difference(*fields.values()):
+        raise Uncompiled(f"takes no interval of {', '.join(sorted(still))}")
+    parameters = [wiring.parameters(end) for end in ends]
+    for k, field in fields:
+        check_ordered(field, *(getattr(one[k], field) for one in parameters))
     native = NativeDiagram(wiring, apart=fields)
-    natives = [native.with_parameters(wiring.parameters(end)) for end in ends]
+    natives = [native.with_parameters(values) for values in parameters]
     for k, field in fields:
         block = wiring.nodes[k].system
         at_known_times = block.first_held is not None or not block.breakpoints_function
@@ -290,25 +342,14 @@ def natives_of(
     return natives
 
 
-def middle_inputs(requests: list[Request]) -> tuple[Inputs, np.ndarray]:
-    """Return the middle of inputs, and by how much each may change at any time."""
-    (times, lower), (others, upper) = (one.inputs.samples for one in requests)
-    if not np.array_equal(times, others):
-        raise ArgumentError(
-            "inputs: both numbers of a pair must be numbers, or samples at the same times"
-        )
-    middle = between(lower, upper)
-    # lines between the middles are rounded
-    radii = middle.r + np.where(middle.r, ROUNDING * np.abs(middle.c), 0.0)
-    return Inputs((times, middle.c)), np.max(radii, axis=1)
-
-
-def dataset_of(pieces: list[Enclosure], names: list[str]) -> "xarray.Dataset":
+def dataset_of(
+    pieces: list[Enclosure], names: list[str], guaranteed: str
+) -> "xarray.Dataset":
     """Return boxes around those of all pieces, with what is guaranteed."""
     import xarray
 
     first = pieces[0]
-    message = f"{GUARANTEED} to t = {first.t:.9g}"
+    message = f"{guaranteed} to t = {first.t:.9g}"
     if len(pieces) > 1:
         message += f", in {len(pieces)} pieces"
     if first.why:

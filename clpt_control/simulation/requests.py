@@ -1,11 +1,12 @@
 """The arguments of a diagram's run, read and checked once: arrays and options of the solver.
 
-`request_of` reads the arguments of `simulate`, `prepare`, `sensitivity` and `run_ensemble`.  Inputs
-and initial states may have labels (`labelled`).  Two samples at one time are a jump of the inputs,
-as in tables of Modelica.
+`request_of` reads the arguments of `simulate`, `prepare`, `sensitivity` and `run_ensemble`, and
+each end of the pairs of `enclose`.  Inputs and initial states may have labels (`labelled`).  Two
+samples at one time are a jump of the inputs, as in tables of Modelica.
 """
 
 from contextlib import AbstractContextManager
+from copy import copy
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import control
@@ -55,7 +56,7 @@ class Request(NamedTuple):
     inputs: Inputs
     start: np.ndarray
     options: RunOptions
-    timepts: Any  # as they were given; inputs may jump at repeated ones
+    clock: Clock  # of the inputs, which may jump at repeated times
 
     @property
     def sizes(self) -> Sizes:
@@ -72,8 +73,8 @@ class Request(NamedTuple):
         return self._replace(start=start_of(self.diagram, state, self.start, count))
 
     def with_inputs(self, inputs: Any) -> "Request":
-        """Return the run with other inputs."""
-        clock = clock_of(self.diagram, self.timepts)
+        """Return the run with other inputs, whose dates count from the same one."""
+        clock = copy(self.clock)
         signals = labelled("inputs", inputs, clock)
         read = inputs_at(self.diagram, inputs, signals, clock.at, self.times)
         return self._replace(inputs=read)
@@ -139,16 +140,7 @@ def request_of(
         if options.get(name) is None:
             options[name] = value
     checked = RunOptions.checked(diagram.dt, times, **options)
-    return Request(
-        diagram,
-        times,
-        skipped,
-        steps,
-        read,
-        start,
-        checked,
-        clock.at if timepts is None else timepts,
-    )
+    return Request(diagram, times, skipped, steps, read, start, checked, clock)
 
 
 @public
@@ -224,7 +216,7 @@ def inputs_at(
         if count is not None:
             check_rows("inputs", rows, count)
         if count != len(labels):
-            return _joined(rows, clock_times, times)
+            return joined(rows, clock_times, times)
         named_inputs = dict(zip(labels, rows, strict=True))
     if isinstance(named_inputs, dict):
         rows = [Labelled(np.array(0.0))] * len(labels)
@@ -233,7 +225,7 @@ def inputs_at(
             own_rows = _rows(argument, signal, clock_times, len(columns))
             for column, row in zip(columns, own_rows, strict=True):
                 rows[column] = row
-        return _joined(rows, clock_times, times)
+        return joined(rows, clock_times, times)
     if count is None:
         count = (
             1
@@ -281,7 +273,7 @@ def _check_within(times: np.ndarray, input_times: np.ndarray) -> None:
         )
 
 
-def _joined(rows: list[Labelled], clock_times: np.ndarray, times: np.ndarray) -> Inputs:
+def joined(rows: list[Labelled], clock_times: np.ndarray, times: np.ndarray) -> Inputs:
     """Return rows of inputs for a run at `times`: at all of their own times, if these differ."""
     times_of_rows = [row.times for row in rows if row.times is not None]
     for row_times in times_of_rows:
