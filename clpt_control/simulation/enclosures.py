@@ -51,7 +51,7 @@ def holds_pair(value: Any) -> bool:
     """Return whether a list, a mapping or a table has an interval among its entries."""
     entries = value if isinstance(value, list | tuple) else ()
     if has(value, "items"):
-        entries = dict(value).values()
+        entries = [*dict(value).values()]
     return any(is_pair(entry) or holds_pair(entry) for entry in entries)
 
 
@@ -294,7 +294,7 @@ def requests_of(system: Any, timepts: Any, ends: list[Any]) -> list[Request]:
     rows.append(Labelled(edges, edges))
     t, values = joined(rows, edges, edges).samples
     begin, end = t.searchsorted(edges[0], "right") - 1, t.searchsorted(edges[1]) + 1
-    t, values, count = t[begin:end], values[:, begin:end], low.sizes[1]
+    t, values, count = t[begin:end], values[:, begin:end], len(low.inputs.samples[1])
     lower, upper = values[:count], values[count : 2 * count]
     # numbers between samples are rounded
     size = np.max(np.abs(upper), axis=1, keepdims=True, initial=0.0)
