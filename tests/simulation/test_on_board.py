@@ -267,48 +267,6 @@ def labels(learner, letter):
     return re.findall(r"/\* (\S+) \*/", learner.enum(letter))
 
 
-# --- the certificate beside the learner -------------------------------------------------------
-
-
-@pytest.fixture(scope="module")
-def watched():
-    """The paper's scenario for 200 s, and blocks that watch its certificate."""
-    scenario = PAPER.with_values({"run.duration": 200.0, "run.output_step": 0.1})
-    return scenario, clpt.gramian(scenario, 200.0, 0.0).watch
-
-
-@pytest.mark.long
-@needs_cc
-def test_the_flags_of_the_certificate(watched, tmp_path):
-    scenario, watch = watched
-    learner = OnBoard(scenario, tmp_path, watch=watch)
-    run = clpt.simulate(scenario)
-    times, u = run.time.values, run.position.values
-    blocks = clpt.closed_loop(scenario, external=["x"]).syslist
-    wired = clpt.connect([*blocks, *watch], ["x"])
-    order = [wired.state_labels.index(label) for label in labels(learner, "x")]
-    x0 = np.zeros(wired.nstates)
-    x0[order] = learner.x0
-    in_python = runge_kutta(wired.dynamics, x0, times[:50], u)[:, order]
-    in_c = learner.steps(times, u)
-    assert np.abs(in_c[:49] - in_python).max() <= 1e-12 * np.abs(in_python).max()
-
-    def flags(t, x, u):
-        y = learner.computed("outputs", t, x, np.ascontiguousarray(u))
-        return y[[labels(learner, "y").index(f"holds_x{k}") for k in (1, 2)]]
-
-    assert all(
-        flags(t, x, row).all() for t, x, row in zip(times[1:], in_c, u[1:], strict=True)
-    )
-    # far off w leaves its bounds
-    learner.call(
-        "step", [200.0, 0.5], far := in_c[-1].copy(), u[-1] + 90, u[-1] + 90, learner.p
-    )
-    assert not flags(200.5, far, u[-1] + 90).any()
-    with pytest.raises(clpt.ClptError, match="watch: is of part='learner'"):
-        clpt.export(scenario, watch=watch)
-
-
 # --- altered signs, and what is refused -------------------------------------------------------
 
 
@@ -455,14 +413,11 @@ def output_of(*command, folder):
     reason=f"{', '.join(MISSING)}: not installed. Install gcc-arm-none-eabi, "
     "libnewlib-arm-none-eabi and qemu-system-arm",
 )
-@pytest.mark.parametrize(
-    "law", ["learned-flow", "composite-memory", "fix-regression", "watched"]
-)
-def test_a_cortex_m7_has_the_numbers_of_this_machine(law, watched, tmp_path):
+@pytest.mark.parametrize("law", ["learned-flow", "composite-memory", "fix-regression"])
+def test_a_cortex_m7_has_the_numbers_of_this_machine(law, tmp_path):
     """Equal to 1e-12, relative for states above 1, after 20,000 steps; prints sizes."""
     run = partial(output_of, folder=tmp_path)
-    scenario, watch = watched if law == "watched" else (of_law(law), ())
-    text = clpt.export(scenario, tmp_path / "learner.c", part="learner", watch=watch)
+    text = clpt.export(of_law(law), tmp_path / "learner.c", part="learner")
     fix = "if (k % 50 == 49) learner_fix(t, x, u, learner_p0);"
     main = MAIN.replace("FIX", fix if "learner_fix" in text else "")
     (tmp_path / "main.c").write_text(main)

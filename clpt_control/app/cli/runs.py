@@ -202,10 +202,6 @@ def export(
         "NAME", "learner: law, model and controller alone, for a computer on board."
     ),
     single: bool = flag("Write C with float in place of double.", "--single"),
-    watch: bool = flag(
-        "With --part: flags that the Riccati certificate of clpt excitation holds.",
-        "--watch",
-    ),
 ) -> None:
     """Write a loop as C99, FMU or drawing; a run as a map or table.
 
@@ -240,9 +236,7 @@ def export(
             out, "a program or map", (".c", ".h", ".fmu", ".csv", *SUFFIXES, ".nc")
         )
         loaded = load_vehicle_scenario(scenario)
-        whole = loaded.run.duration, 0.0
-        blocks = clpt.gramian(loaded, *whole).watch if watch else ()
-        clpt.export(loaded, out, part=part, single=single, watch=blocks)
+        clpt.export(loaded, out, part=part, single=single)
     say(f"Wrote {out}")
 
 

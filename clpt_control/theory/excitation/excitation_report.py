@@ -62,8 +62,6 @@ def report_of(excitation: Any) -> dict[str, Any]:
     disturbance if ``disturbed``.  The root of V is at most ``overshoot``
     2^(-t/``half_life``) of the first if the window repeats; ``half_life`` is None if it is not
     excited.  All are None if the window cannot be certified; ``not_certified`` is the reason.
-    ``riccati`` has by axis another ``half_life`` and ``overshoot``, and ``b``, the bounds of f'w,
-    where the Riccati certificate is found; ``no_riccati`` is the reason if it is nowhere.
 
     A recorded run has an ``accuracy``: the largest relative change of an eigenvalue if every
     second sample is left out, which is above the error; None if the change is large.
@@ -81,9 +79,6 @@ def report_of(excitation: Any) -> dict[str, Any]:
     report = _measured(excitation)
     report |= {name: getattr(certificate, name, None) for name in CERTIFIED}
     report |= {"not_certified": reason} if reason else {}
-    rates, reason = excitation.rates
-    report["riccati"] = {axis: rate.report for axis, rate in rates.items()}
-    report |= {"no_riccati": reason} if reason else {}
     recorded = hasattr(excitation.source, "data_vars")
     return report | ({"accuracy": excitation.accuracy} if recorded else {})
 
@@ -163,13 +158,6 @@ def _how_fast(excitation: Any) -> Iterator[str]:
         yield f"contraction of V at worst {at_most(certificate.contraction, 6)}"
         yield f"{learned_text(excitation)}, in windows like this one"
         yield repeated_text(excitation)
-        rates, reason = excitation.rates
-        if reason and certificate.half_life:
-            yield reason
-        for axis in excitation.names if rates else ():
-            rate = rates.get(axis)
-            told = rate.sentence(excitation.time_unit) if rate else "not found"
-            yield f"Riccati certificate, {axis}: {told}"
         if certificate.disturbed:
             yield "V and errors fall so but for what the disturbance adds to them"
     if hasattr(excitation.source, "data_vars"):
@@ -317,16 +305,11 @@ def draw_tube(excitation: Any, run: Any, ax: Any) -> "Axes":
     ax.set_prop_cycle(color=("black", BLUE, RED), linestyle=("-", "--", "-."))
     ax.semilogy(times, V**0.5, label="of the run")
     after = times[times >= start]
-    first, rates = np.interp(start, times, V**0.5), [*excitation.rates[0].values()]
-    tubes = {"contraction": [excitation.certificate()]}
-    if len(rates) == len(excitation.names):
-        tubes["Riccati certificate"] = rates
-    for label, bounds in tubes.items():
-        # the errors of all axes fall as the slowest
-        half_life = max(bound.half_life or np.inf for bound in bounds)
-        largest = first * max(bound.overshoot for bound in bounds)
-        tube = largest * 2 ** ((start - after) / half_life)
-        ax.semilogy(after, tube, label=f"at most, {label}")
+    first, found = np.interp(start, times, V**0.5), excitation.certificate()
+    tube = (
+        first * found.overshoot * 2 ** ((start - after) / (found.half_life or np.inf))
+    )
+    ax.semilogy(after, tube, label="at most, contraction")
     unit = "" if form else excitation.scenario.units.length
     ax.set_xlabel(f"time ({excitation.time_unit})".removesuffix(" ()"))
     ax.set_ylabel(f"root of V ({unit})".removesuffix(" ()"))

@@ -53,8 +53,6 @@ from .regressor import (
     span_of,
     system_of,
 )
-from .riccati import MOST, riccati_of
-from .watch import watch_of
 
 NOT_LEARNABLE = 1e-9  # share of the largest eigenvalue
 TINY = np.finfo(float).tiny
@@ -86,8 +84,6 @@ class Excitation(Regressor):
     least_excited = property(least_excited_of)
     not_learnable = property(not_learnable_of)
     in_one_sentence = property(in_one_sentence_of)
-    riccati = cached_property(riccati_of)  # rate of each axis, which Coq checks
-    watch = property(watch_of)  # blocks that watch its facts
 
     @property
     def span(self) -> str:
@@ -116,16 +112,6 @@ class Excitation(Regressor):
             return self.certificate(), ""
         except ClptError as error:
             return None, str(error)
-
-    @cached_property
-    def rates(self) -> tuple[dict[str, Any], str]:
-        """The rates of `riccati`, and the reason if there are none."""
-        if max(map(len, self.names.values())) > MOST:
-            return {}, f"no Riccati certificate: not searched beyond {MOST} parameters"
-        try:
-            return self.riccati, ""
-        except ClptError as error:
-            return {}, str(error)
 
     @cached_property
     def exact(self) -> "Excitation":
@@ -330,10 +316,6 @@ def gramian(
         `plot()`, and `certificate()`, the decay of V over the window, with the number of directions
         that the law learns within the run. The Gramian of a team is pooled, and `vehicles` has that
         of each vehicle by name. Gains that the law does not adapt are left out.
-
-        `riccati` has by axis, where found, a rate that holds while two facts of the run do: with
-        `half_life`, `constants` (rationals), f and R at the start, and `coq()`, a file that Coq
-        checks alone. Its search takes seconds; it is for an e of one component.
 
     Raises
     ------

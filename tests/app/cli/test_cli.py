@@ -139,12 +139,6 @@ def test_a_loop_is_drawn_and_exported(clpt, refused_for):
     words = "export", "p.toml", "--part", "learner", "--single", "-o", "own.c"
     assert clpt(*words).out == "Wrote own.c\n"
     assert "void own_step(float t" in Path("own.c").read_text()
-    write({"run.duration": 200}, "s.toml")
-    assert clpt("export", "s.toml", *words[2:], "--watch").out == "Wrote own.c\n"
-    assert "own_y_holds_x1," in Path("own.c").read_text()
-    refused_for(
-        ["watch: is of part='learner'"], "export", "s.toml", "--watch", "-o", "p.c"
-    )
     refused_for(
         ["part = 'law': must be 'learner'"],
         "export",
