@@ -3,6 +3,8 @@
 import json
 import os
 import re
+import shutil
+import subprocess
 from contextlib import ExitStack
 from pathlib import Path
 
@@ -20,6 +22,7 @@ STATED = re.compile(r"^ *(?:Lemma|Theorem|Example) [\w']+", re.MULTILINE)
 ASSERTED = re.compile(r"\b(?:Axioms?|Parameters?|Conjecture|Admitted|admit|Abort)\b")
 PAGE = (FIXED.parents[2] / "docs" / "machine_checked.md").read_text("utf-8")
 WITHOUT_FILE = {*re.findall(r"`([\w-]+)`", re.search(r" No file: (.*)", PAGE)[1])}
+COQC = ("coqc", "-q", "-w", "none", "-Q", ".", "Clpt")
 REALS = {"sig_forall_dec", "sig_not_dec", "functional_extensionality_dep", "classic"}
 
 
@@ -193,12 +196,70 @@ def test_coq_checks_all_theorems(printed):
     assert {"printed_16_is_false", "printed_33_is_false", "running_converges"} <= names
     assert {"moving", "excited", "dead_zone_falls", "dead_zone_converges"} <= names
     assert {"certificate", "V_ultimately", "fix_regression_bound"} <= names
+    assert {"errors_carried", "errors_by_windows"} <= names
     axioms = {axiom for theorem in found["theorems"] for axiom in theorem["axioms"]}
     assert {axiom.rpartition(".")[2] for axiom in axioms} == REALS
     # the page gives the rule of the files of laws
     files = {theorem["file"] for theorem in found["theorems"]}
     of_laws = {f"Law{law.title().replace('-', '')}.v" for law in LAWS}
     assert all(file in PAGE for file in files - of_laws)
+
+
+@pytest.fixture(scope="module")
+def before_carried(written):
+    """The folder, in which the files before Carried.v are compiled."""
+    if not shutil.which("coqc"):
+        pytest.skip("coqc is not installed")
+    for name in ("Runs.v", "Calculus.v"):
+        subprocess.run([*COQC, name], cwd=written[1], check=True)
+    return written[1]
+
+
+# a line of Carried.v, and a false one in its place
+FALSE = [
+    ("x (times n (M t) x) <= 0.", "x (times n (M t) x) <= 1."),
+    ("x (times n (M t) x) <= 0.", "x (times n (M t) x) <= dot n x x."),
+    ("follows T (x i) (fun t => times n (M t)", "follows T (x i) (fun t => - times n (M t)"),
+    ("k t) i + g i t)", "k t) i + 2 * g i t)"),
+    ("solves (fun i => Phi i j) (fun _ _ => 0)", "solves (fun i => Phi i j) (fun _ _ => 1)"),
+    ("Phi i j s = unit i j)", "Phi i j s = - unit i j)"),
+    ("norm n (times n A x) <= c * norm n x.", "norm n (times n A x) <= c + norm n x."),
+    ("c -> size x t <= c * size x s +", "c -> size x t <= c / 2 * size x s +"),
+    ("c -> size x t <= c * size x s + (G t - G s)", "c -> size x t <= c * size x s - (G t - G s)"),
+    ("c -> size x t <= c * size x s + (G t - G s)", "c -> size x t <= c * size x s"),
+    ("size g u <= gamma u) -> carried", "size g u <= 2 * gamma u) -> carried"),
+    ("carried s Phi -> 0 <= s <= t ->", "carried s Phi -> 0 <= s ->"),
+    ("carried s Phi -> 0 <= s <= t ->", "0 <= s <= t ->"),
+    ("0 <= q < 1 ->", "0 <= q ->"),
+    ("q ^ k * size x (tau 0%nat) + d / (1 - q).", "q ^ k * size x (tau 0%nat) + d."),
+    ("- W k (i - m)%nat else 0", "W k (i - m)%nat else 0"),
+    ("dot m e (times m A e) <= 0) ->", "dot m e (times m A e) <= 1) ->"),
+    ("at_most n A (sqrt d).", "at_most n A d."),
+]  # fmt: skip
+
+
+@pytest.mark.coq
+@pytest.mark.parametrize(("right", "wrong"), FALSE)
+def test_coq_refuses_altered_theorems_on_carried_errors(
+    before_carried, tmp_path, right, wrong
+):
+    text = (before_carried / "Carried.v").read_text()
+    assert text.count(right) == 1
+    (tmp_path / "Altered.v").write_text(text.replace(right, wrong))
+    words = [*COQC, tmp_path / "Altered.v"]
+    done = subprocess.run(words, cwd=before_carried, capture_output=True, text=True)
+    assert done.returncode == 1
+    assert "Error" in done.stderr
+    assert "was not found" not in done.stderr
+
+
+@pytest.mark.coq
+def test_theorems_on_carried_errors_rest_on_the_reals(before_carried):
+    words = [*COQC, "Carried.v"]
+    done = subprocess.run(words, cwd=before_carried, capture_output=True, text=True)
+    assert done.returncode == 0
+    axioms = re.findall(r"^[\w.]+\.(\w+)(?= :|\n  :)", done.stdout, re.MULTILINE)
+    assert {*axioms} == REALS
 
 
 @pytest.mark.coq

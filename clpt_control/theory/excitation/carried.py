@@ -1,0 +1,158 @@
+"""Transition matrix of the errors, computed along a run, and by blocks beside a loop.
+
+In coordinates in which V is |x|^2 / 2, x = [e; th] of each axis,
+
+    x' = M x + g,    M = [[A, W], [-W^T, 0]],    A + A^T <= 0,    Phi' = M Phi,    Phi = I first
+    |x(t)| <= |Phi(t)| |x(0)| + int |g| dt,      any W, start, disturbance and size of e
+
+`errors_carried` of `theory/coq/Carried.v`.  W is that of the run itself: w = [phi(x), z_i, zc_i] of
+Eq. (31) for the paper's loop, W of a verdict.  Phi therefore holds for this run.  Ahead |Phi| is
+known by windows only: where |Phi| <= q in each window of length T, with |g| <= D,
+
+    limsup |x| <= D T / (1 - q) at the ends of windows,  and D T more between
+"""
+
+from dataclasses import replace
+from itertools import accumulate, pairwise
+from typing import Any
+
+import numpy as np
+
+from ...base.errors import DataError
+from ...engine.model.block import Block
+from ...engine.model.declaration import Each
+from ...parts.common import make_block
+from .certificates import drop_of, refuse_uncertified, worsened
+from .regressor import gains_of_w, regressors, scale_of, span_of
+
+MOST_WINDOWS = 1000
+SQUARINGS = 4  # the bound of |Phi| is at most n^(1/64) too large
+SMALLEST = 1e-30  # factor
+ADDED = 1e-12  # to a square of 1, so that none is 0
+
+
+def regressor(t, x, u, p):
+    """w_i = [phi(x), z_i, zc_i], Eq. (31)."""
+    w_x1, w_x2 = regressors(u.phi_x, u.z, u.zc)
+    return {"w_x1": w_x1, "w_x2": w_x2}
+
+
+def bound_of_norm(Phi):
+    """Return a bound of |Phi|: |S^2| = |S|^2 <= |S|_F^2 for S = Phi^T Phi, squared again."""
+    size = np.maximum(np.max(np.abs(Phi)), SMALLEST)
+    S = (Phi / size).T @ (Phi / size) + ADDED * np.eye(len(Phi))
+    for k in range(SQUARINGS):
+        norm = np.sqrt(np.sum(S**2))
+        size = size * norm ** (0.5 ** (k + 1))
+        S = S @ S / norm**2
+    return np.minimum(size * np.sum(S**2) ** 0.5 ** (SQUARINGS + 2), 1.0)
+
+
+def since_jump(x):
+    """Return Phi of the window, and that of all windows before, of x' = M x, Eq. (27)-(28)."""
+    one = np.eye(len(x.moved))
+    return one + x.moved, x.past + (1 - x.begun[0]) * one
+
+
+def moves(t, x, u, p):
+    """Phi' = M Phi in the window, of the errors of Eq. (27)-(28), e first."""
+    Phi, _ = since_jump(x)
+    m = len(p.A)
+    W = p.left @ u.w.reshape(m, -1) @ p.right
+    rates = np.concatenate([p.A @ Phi[:m] + W @ Phi[m:], -W.T @ Phi[:m]])
+    return {"moved": rates, "past": 0.0, "begun": 0.0, "worst": 0.0}
+
+
+def restarted(t, x, u, p):
+    """End a window of T of Definition 3.1: keep its Phi, and begin with Phi = I."""
+    Phi, past = since_jump(x)
+    worst = np.maximum(x.worst, bound_of_norm(Phi))
+    return {"moved": 0.0, "past": Phi @ past, "begun": 1.0, "worst": worst}
+
+
+def norms(t, x, u, p):
+    """Return bounds of |Phi| from the start, and in each window of T of Definition 3.1."""
+    Phi, past = since_jump(x)
+    worst = np.where(x.begun > 0, x.worst, 1.0)
+    return {"factor": bound_of_norm(Phi @ past), "worst": worst}
+
+
+def watch_of(excitation: Any) -> list[Block]:
+    """Return blocks for `export(..., watch=)` or `connect`, which carry Phi beside the loop.
+
+    Outputs are `factor_x1`, a bound of |Phi| from the start, and `worst_x1`, of the largest |Phi|
+    in windows that have ended at multiples of the excitation's; of a verdict, `factor` and
+    `worst`.  The input `w` of a verdict is W, row by row.  Numbers are those of the excitation.
+    """
+    refuse_uncertified(excitation)
+    form, scenario = excitation.form, excitation.scenario
+    blocks, watched = [], {}
+    if form:
+        watched[""] = form.scaled_A, form.left, form.right
+    else:
+        N = scenario.basis.N
+        inputs, w = {"phi_x": N, "z": 2, "zc": 2}, {"w_x1": N + 2, "w_x2": N + 2}
+        blocks += [Block("regressor", output=regressor, inputs=inputs, outputs=w)]
+        scale = scale_of(gains_of_w(scenario))
+        for axis, k in zip(excitation.names, excitation.feedback, strict=True):
+            watched[f"_{axis}"] = [[-k]], [[1.0]], scale
+    for axis, (A, left, right) in watched.items():
+        m, (parameters, n) = len(A), np.shape(right)
+        errors = m + n, m + n
+        watch = make_block(
+            f"watch{axis}",
+            {port: port + axis for port in ("w", "factor", "worst") if axis},
+            {"A": A, "left": left, "right": right, "interval": -1.0},
+            update=moves,
+            output=norms,
+            jump=restarted,
+            breakpoints=Each(excitation.window),
+            inputs={"w": m * parameters},
+            outputs={"factor": 1, "worst": 1},
+            states={"moved": errors, "past": errors, "begun": 1, "worst": 1},
+        )
+        blocks.append(watch)
+    return blocks
+
+
+def transition_of(excitation: Any) -> Any:
+    """|Phi| along the run, a Dataset with `factor` and `window_factor` by time and axis.
+
+    Times are ends of windows like this one, one after another, and of the run. `factor` is |Phi|
+    from the start of the run: the norm of its errors, the root of V, is at most `factor` times the
+    first, but for what a disturbance adds. `window_factor` is |Phi| of the window that ends.
+    """
+    import xarray
+
+    if excitation.source is None or excitation.vehicles:
+        raise DataError(
+            "transition: is for the run of one scenario and of=verdict. A team and its vehicles "
+            "have Gramians of one window"
+        )
+    (begin, end), T = span_of(excitation.source), excitation.window
+    count = (end - begin) / T
+    if count > MOST_WINDOWS:
+        raise DataError(
+            f"transition: the run has {count:.3g} windows of {T:g}, at most {MOST_WINDOWS} are "
+            "allowed. Give a longer window"
+        )
+    ends = begin + T * np.arange(1, int(count * (1 + 1e-12)) + 1)
+    times = ends if end - ends[-1] < 1e-9 * T else np.append(ends, end)
+    whole = excitation.over(excitation.source, end - begin, begin, times).exact
+    cuts = np.searchsorted(whole.cuts, np.append(begin, times) - 1e-9 * T)
+    parts = [slice(*part) for part in pairwise(cuts)]
+    Phi = np.array(
+        [
+            drop_of(replace(whole, w=whole.w[:, part], weights=whole.weights[part]))[1]
+            for part in parts
+        ]
+    )
+    along = [*accumulate(Phi, lambda past, window: window @ past)]
+    norms = [
+        np.minimum(worsened(array, whole.change)[..., 0], 1.0) for array in (along, Phi)
+    ]
+    norms[1][len(ends) :] = np.nan  # shorter than a window
+    dims = "time", "axis"
+    variables = {"factor": (dims, norms[0]), "window_factor": (dims, norms[1])}
+    coordinates = {"time": times, "axis": [*excitation.names]}
+    return xarray.Dataset(variables, coordinates)
