@@ -93,8 +93,8 @@ def export(
     single : bool, optional
         Write C with ``float`` in place of ``double``.
     watch : sequence of Block, optional
-        Blocks that a learner carries beside the law, such as `watch` of `gramian`: outputs that
-        are 1 while the certified rate of convergence holds.
+        Blocks that a learner carries beside the law, such as `watch` of `gramian`: bounds of its
+        errors, from the transition matrix, with the numbers of the scenario, not of `params`.
 
     Returns
     -------

@@ -5,13 +5,14 @@ import re
 import shutil
 import subprocess
 from collections import Counter
-from functools import partial
+from functools import partial, reduce
 from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
 import pytest
 from engine_runs import Each
+from scipy.linalg import expm
 from small_scenarios import FIXES, paper_of
 from test_export import InC, library, needs_cc
 
@@ -267,6 +268,87 @@ def labels(learner, letter):
     return re.findall(r"/\* (\S+) \*/", learner.enum(letter))
 
 
+# --- the transition matrix beside the learner -------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def watched():
+    """The paper's scenario for 200 s, and blocks that carry Phi, begun again each 50 s."""
+    scenario = PAPER.with_values({"run.duration": 200.0, "run.output_step": 0.1})
+    return scenario, clpt.gramian(scenario, 50.0, 0.0).watch
+
+
+def papers_norms(run, windows):
+    """|Phi| of each axis at ends of windows and in each, by SciPy's expm at middles of steps."""
+    gains, norms = np.sqrt(PAPER.learning.gain), []
+    k = PAPER.vehicle.feedback[0]
+    for i in (0, 1):
+        own = run.predicted_position, run.reference
+        w = [run.phi_x.values, *(signal.values[:, [i]] for signal in own)]
+        w = gains * np.hstack(w)[1::2]
+        M = np.zeros((len(w), 6, 6))
+        M[:, 0, 0], M[:, 0, 1:], M[:, 1:, 0] = -k, w, -w
+        steps = expm(0.1 * M)
+        along, each = np.eye(6), len(w) // windows
+        for begin in range(0, len(w), each):
+            Phi = reduce(lambda Y, step: step @ Y, steps[begin : begin + each])
+            along = Phi @ along
+            norms.append([np.linalg.norm(along, 2), np.linalg.norm(Phi, 2)])
+    return np.array(norms).reshape(2, windows, 2).swapaxes(0, 1)
+
+
+@pytest.mark.long
+@needs_cc
+@pytest.mark.parametrize("single", [False, True])
+def test_the_matrix_on_board_is_that_of_scipy(single, watched, tmp_path):
+    scenario, watch = watched
+    run = clpt.simulate(clpt.closed_loop(scenario), np.linspace(0, 200, 4001))
+    times, u = run.time.values[::2], run.position.values[::2]
+    norms = papers_norms(run, 4)
+    learner = OnBoard(scenario, tmp_path, watch=watch)
+    kind = ctypes.c_float if single else ctypes.c_double
+    if single:
+        text = clpt.export(
+            scenario, tmp_path / "made.c", part="learner", watch=watch, single=True
+        )
+        assert "double" not in text
+        (tmp_path / "single").mkdir()
+        functions = library(text.encode(), tmp_path / "single")
+    else:
+        functions = learner.library
+    number = np.float32 if single else np.float64
+    x, u = learner.x0.astype(number), u.astype(number, order="C")
+    p, y = ctypes.byref(kind.in_dll(functions, "made_p0")), np.zeros(200, number)
+    places = [
+        [labels(learner, "y").index(f"{name}_x{k}") for name in ("factor", "worst")]
+        for k in (1, 2)
+    ]
+
+    def pointers(*arrays):
+        return (array.ctypes.data_as(ctypes.POINTER(kind)) for array in arrays)
+
+    worst = np.zeros(2)
+    for k, t in enumerate(times[:-1]):
+        functions.made_step(kind(t), kind(0.1), *pointers(x, u[k], u[k + 1]), p)
+        if k % 500 == 499:
+            j = k // 500
+            (tail,) = pointers(y)
+            functions.made_outputs(kind(times[k + 1]), *pointers(x, u[k + 1]), p, tail)
+            factor, shown = y[places].T
+            # the bound of the norm is at most 6^(1/64) too large
+            assert np.all(factor > norms[j, :, 0] * (1 - 1e-3))
+            assert np.all(factor < norms[j, :, 0] * 6 ** (1 / 64) * (1 + 1e-3))
+            # windows that have ended at the beginning of the step
+            before = np.where(worst > 0, worst, 1.0)
+            assert shown == pytest.approx(before, rel=0.03)
+            worst = np.maximum(worst, norms[j, :, 1])
+
+
+def test_watch_is_of_a_learner():
+    with pytest.raises(clpt.ClptError, match="watch: is of part='learner'"):
+        clpt.export(PAPER, watch=clpt.gramian(PAPER, 200.0).watch)
+
+
 # --- altered signs, and what is refused -------------------------------------------------------
 
 
@@ -413,11 +495,14 @@ def output_of(*command, folder):
     reason=f"{', '.join(MISSING)}: not installed. Install gcc-arm-none-eabi, "
     "libnewlib-arm-none-eabi and qemu-system-arm",
 )
-@pytest.mark.parametrize("law", ["learned-flow", "composite-memory", "fix-regression"])
-def test_a_cortex_m7_has_the_numbers_of_this_machine(law, tmp_path):
+@pytest.mark.parametrize(
+    "law", ["learned-flow", "composite-memory", "fix-regression", "watched"]
+)
+def test_a_cortex_m7_has_the_numbers_of_this_machine(law, watched, tmp_path):
     """Equal to 1e-12, relative for states above 1, after 20,000 steps; prints sizes."""
     run = partial(output_of, folder=tmp_path)
-    text = clpt.export(of_law(law), tmp_path / "learner.c", part="learner")
+    scenario, watch = watched if law == "watched" else (of_law(law), ())
+    text = clpt.export(scenario, tmp_path / "learner.c", part="learner", watch=watch)
     fix = "if (k % 50 == 49) learner_fix(t, x, u, learner_p0);"
     main = MAIN.replace("FIX", fix if "learner_fix" in text else "")
     (tmp_path / "main.c").write_text(main)

@@ -22,13 +22,12 @@ def errors_of(run, scenario):
     return np.sqrt(run.e.values**2 + squares / scenario.learning.gain)
 
 
-@pytest.mark.xfail(strict=True, reason="the blocks come with the next commits")
 @pytest.mark.sampled
 @pytest.mark.parametrize("seed", range(20))
 def test_errors_of_each_run_are_below_the_carried_matrix(seed):
     """Twenty starts and disturbances, the blocks of one gramian."""
     rng = np.random.default_rng(seed)
-    watch = clpt.gramian(PAPER.with_values({"run.duration": 60.0}), 20.0, 0.0).watch
+    watch = clpt.gramian(PAPER, 50.0, 0.0).watch
     push = rng.uniform(0, 0.3, 2)
     sine = {"kind": "sine", "amplitude": push.tolist(), "period": rng.uniform(1, 60)}
     scenario = PAPER.with_values({"flow.disturbance": sine})
@@ -37,12 +36,12 @@ def test_errors_of_each_run_are_below_the_carried_matrix(seed):
         rng.uniform(-2, 2) * label.startswith("adaptation")
         for label in wired.state_labels
     ]
-    run = clpt.simulate(wired, np.linspace(0, 60, 601), initial_state=start, rtol=1e-8)
+    run = clpt.simulate(wired, np.linspace(0, 200, 401), initial_state=start, rtol=1e-8)
     errors = errors_of(run, scenario)
     for k, axis in enumerate(("x1", "x2")):
         factor = run[f"factor_{axis}"].values.ravel()
         assert factor[0] == pytest.approx(1.0)
-        assert 0 < factor[-1] < 0.97
+        assert 0.3 < factor[-1] < 0.97
         bound = factor * errors[0, k] + push[k] * run.time.values
         assert np.all(errors[:, k] <= bound * (1 + 1e-6))
         assert np.any(errors[:, k] > push[k] * run.time.values)

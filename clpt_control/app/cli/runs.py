@@ -202,6 +202,10 @@ def export(
         "NAME", "learner: law, model and controller alone, for a computer on board."
     ),
     single: bool = flag("Write C with float in place of double.", "--single"),
+    watch: bool = flag(
+        "With --part: carry |Phi|, a bound of the errors, beside the learner.",
+        "--watch",
+    ),
 ) -> None:
     """Write a loop as C99, FMU or drawing; a run as a map or table.
 
@@ -236,7 +240,8 @@ def export(
             out, "a program or map", (".c", ".h", ".fmu", ".csv", *SUFFIXES, ".nc")
         )
         loaded = load_vehicle_scenario(scenario)
-        clpt.export(loaded, out, part=part, single=single)
+        blocks = clpt.gramian(loaded).watch if watch else ()
+        clpt.export(loaded, out, part=part, single=single, watch=blocks)
     say(f"Wrote {out}")
 
 

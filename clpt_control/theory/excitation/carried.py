@@ -26,9 +26,7 @@ from .certificates import drop_of, refuse_uncertified, worsened
 from .regressor import gains_of_w, regressors, scale_of, span_of
 
 MOST_WINDOWS = 1000
-SQUARINGS = 4  # the bound of |Phi| is at most n^(1/64) too large
 SMALLEST = 1e-30  # factor
-ADDED = 1e-12  # to a square of 1, so that none is 0
 
 
 def regressor(t, x, u, p):
@@ -38,14 +36,12 @@ def regressor(t, x, u, p):
 
 
 def bound_of_norm(Phi):
-    """Return a bound of |Phi|: |S^2| = |S|^2 <= |S|_F^2 for S = Phi^T Phi, squared again."""
+    """Return a bound of |Phi|: |Phi|^4 = |S|^2 = |S^2| <= |S^2|_F for S = Phi^T Phi."""
     size = np.maximum(np.max(np.abs(Phi)), SMALLEST)
-    S = (Phi / size).T @ (Phi / size) + ADDED * np.eye(len(Phi))
-    for k in range(SQUARINGS):
-        norm = np.sqrt(np.sum(S**2))
-        size = size * norm ** (0.5 ** (k + 1))
-        S = S @ S / norm**2
-    return np.minimum(size * np.sum(S**2) ** 0.5 ** (SQUARINGS + 2), 1.0)
+    Phi = Phi * (1 / size)
+    S = Phi.T @ Phi
+    squares = np.maximum(np.sum((S @ S) ** 2), 1.0)  # 1 from its largest entry
+    return np.minimum(size * squares**0.125, 1.0)
 
 
 def since_jump(x):
@@ -98,7 +94,7 @@ def watch_of(excitation: Any) -> list[Block]:
             watched[f"_{axis}"] = [[-k]], [[1.0]], scale
     for axis, (A, left, right) in watched.items():
         m, (parameters, n) = len(A), np.shape(right)
-        errors = m + n, m + n
+        errors = "errors", "errors"
         watch = make_block(
             f"watch{axis}",
             {port: port + axis for port in ("w", "factor", "worst") if axis},
@@ -109,6 +105,7 @@ def watch_of(excitation: Any) -> list[Block]:
             breakpoints=Each(excitation.window),
             inputs={"w": m * parameters},
             outputs={"factor": 1, "worst": 1},
+            sizes={"errors": m + n},
             states={"moved": errors, "past": errors, "begun": 1, "worst": 1},
         )
         blocks.append(watch)

@@ -166,30 +166,37 @@ def refuse_unproved(scenario: Scenario) -> None:
             )
 
 
-def _drop_of(excitation: Any) -> tuple[np.ndarray, np.ndarray]:
-    """Return the drop of each axis over a window, and Phi, (axes, N, N)."""
-    form, scenario = excitation.form, excitation.scenario
-    if form:
-        m, n = form.W.shape
-        W = excitation.w.reshape(1, len(excitation.weights), -1, m, n)
-        weights = excitation.weights[:, ::m]
-        return _drop_along(form.left @ W @ form.right, form.scaled_A[None], weights)
+def refuse_uncertified(excitation: Any) -> None:
+    """Raise an error for errors that have no V' of the theorems, or of a verdict."""
+    scenario = excitation.scenario
+    if excitation.form:
+        return
     if scenario is None:
         raise DataError(
             "no certificate: it is for the run of one scenario, or of=verdict. A team and signals "
             "have Gramians only"
         )
-    law, gains = scenario.learning.law, excitation.gains
+    law = scenario.learning.law
     if excitation.python_parts or law not in ("learned-flow", "known-flow"):
         raise ScenarioError(
             "no certificate: it is for the paper's two laws. The run has "
             f"{excitation.python_parts or f'the law {law}'}"
         )
     refuse_unproved(scenario)
-    if not gains.any():
+    if not excitation.gains.any():
         raise ScenarioError("no certificate: the law adapts no parameter")
-    feedback = np.array(excitation.feedback)
-    return worst_drop(excitation.w, feedback, gains, excitation.weights)
+
+
+def drop_of(excitation: Any) -> tuple[np.ndarray, np.ndarray]:
+    """Return the drop of each axis over a window, and Phi, (axes, N, N)."""
+    refuse_uncertified(excitation)
+    form, w, weights = excitation.form, excitation.w, excitation.weights
+    if form:
+        m, n = form.W.shape
+        W = w.reshape(1, len(weights), -1, m, n)
+        scaled = form.left @ W @ form.right
+        return _drop_along(scaled, form.scaled_A[None], weights[:, ::m])
+    return worst_drop(w, excitation.feedback, excitation.gains, weights)
 
 
 def _is_disturbed(excitation: Any) -> bool:
@@ -228,7 +235,7 @@ def certificate(excitation: Any) -> Certificate:
     """
     exact = excitation.exact
     form, span, settled = exact.form, exact.window, exact.change
-    drop, Phi = _drop_of(exact)
+    drop, Phi = drop_of(exact)
     if np.any(settled > MAX_CHANGE * np.linalg.norm(Phi, 2, axis=(1, 2))):
         raise DataError(
             "no certificate: W has too many jumps, or oscillates too fast, to be computed. Give a "

@@ -44,6 +44,7 @@ CERTIFIED = (
 )
 INVOLVED = 0.05  # smallest length of a parameter's unit vector in a subspace
 OFF = 0.1  # share of the largest flow parameter
+TOLD = 4  # times at which |Phi| is printed
 LOWEST = 1e-30  # share of the largest eigenvalue; smaller ones are drawn there
 SHARED = "the flow parameters, which all share, and each one's gains where they adapt"
 
@@ -62,6 +63,9 @@ def report_of(excitation: Any) -> dict[str, Any]:
     disturbance if ``disturbed``.  The root of V is at most ``overshoot``
     2^(-t/``half_life``) of the first if the window repeats; ``half_life`` is None if it is not
     excited.  All are None if the window cannot be certified; ``not_certified`` is the reason.
+    ``factor`` is |Phi| at the end of the run, by axis: the root of V is at most so much of its
+    first, but for what a disturbance adds.  ``window_factor`` is the largest |Phi| of a window of
+    the run.  Both are None if they are not known; ``no_factor`` is the reason.
 
     A recorded run has an ``accuracy``: the largest relative change of an eigenvalue if every
     second sample is left out, which is above the error; None if the change is large.
@@ -79,6 +83,13 @@ def report_of(excitation: Any) -> dict[str, Any]:
     report = _measured(excitation)
     report |= {name: getattr(certificate, name, None) for name in CERTIFIED}
     report |= {"not_certified": reason} if reason else {}
+    along, reason = excitation.along_run
+    last, most = {}, {}
+    for axis in excitation.names if along else ():
+        one = along.sel(axis=axis)
+        last[axis], most[axis] = float(one.factor[-1]), float(one.window_factor.max())
+    report |= {"factor": last or None, "window_factor": most or None}
+    report |= {"no_factor": reason} if reason else {}
     recorded = hasattr(excitation.source, "data_vars")
     return report | ({"accuracy": excitation.accuracy} if recorded else {})
 
@@ -158,6 +169,7 @@ def _how_fast(excitation: Any) -> Iterator[str]:
         yield f"contraction of V at worst {at_most(certificate.contraction, 6)}"
         yield f"{learned_text(excitation)}, in windows like this one"
         yield repeated_text(excitation)
+        yield from _along_run(excitation)
         if certificate.disturbed:
             yield "V and errors fall so but for what the disturbance adds to them"
     if hasattr(excitation.source, "data_vars"):
@@ -172,6 +184,33 @@ def _how_fast(excitation: Any) -> Iterator[str]:
             "the upper bound, for this motion of the vehicle, is int (x' + KD e)^2 dt / "
             "(|theta - alpha_M|^2 + KD^2 + GammaD^2): a vehicle that does not move learns nothing"
         )
+
+
+def _along_run(excitation: Any) -> Iterator[str]:
+    """Yield sentences on |Phi| along the run, and on what it promises ahead."""
+    along, reason = excitation.along_run
+    if reason:
+        yield f"|Phi| along the run: {reason}"
+        return
+    unit = f" {excitation.time_unit}".rstrip()
+    chosen = np.unique(np.linspace(0, along.sizes["time"] - 1, TOLD).astype(int))
+    told, most = [], []
+    for axis in excitation.names:
+        one = along.sel(axis=axis)
+        factors = zip(one.time.values[chosen], one.factor.values[chosen], strict=True)
+        told.append(
+            f"{axis} "
+            + ", ".join(f"{at_most(factor)} at {t:g}{unit}" for t, factor in factors)
+        )
+        most.append(f"{axis} {at_most(one.window_factor.max())}")
+    yield (
+        "along this run, and for it alone, the root of V is at most |Phi| times the first: "
+        f"{'; '.join(told)}"
+    )
+    yield (
+        f"ahead by windows only: |Phi| in each window of {excitation.window:g}{unit} of this run "
+        f"is at most {', '.join(most)}; errors go on to fall so while later windows keep it"
+    )
 
 
 def least_excited_of(excitation: Any) -> dict[str, dict[str, float]]:
@@ -310,6 +349,12 @@ def draw_tube(excitation: Any, run: Any, ax: Any) -> "Axes":
         first * found.overshoot * 2 ** ((start - after) / (found.half_life or np.inf))
     )
     ax.semilogy(after, tube, label="at most, contraction")
+    along, _ = excitation.along_run
+    if along:
+        factor = np.append(1, along.factor.max("axis"))
+        ends = np.append(times[0], along.time)
+        label = "at most, |Phi| along this run"
+        ax.semilogy(ends, V[0] ** 0.5 * factor, drawstyle="steps-post", label=label)
     unit = "" if form else excitation.scenario.units.length
     ax.set_xlabel(f"time ({excitation.time_unit})".removesuffix(" ()"))
     ax.set_ylabel(f"root of V ({unit})".removesuffix(" ()"))

@@ -28,6 +28,7 @@ from ...base.run_attributes import ARGUMENTS
 from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.recorded_run import is_response, thinned
 from ...simulation.integrate import simulate
+from .carried import transition_of, watch_of
 from .certificates import Certificate, certificate
 from .error_system import error_system_of
 from .excitation_report import (
@@ -84,6 +85,8 @@ class Excitation(Regressor):
     least_excited = property(least_excited_of)
     not_learnable = property(not_learnable_of)
     in_one_sentence = property(in_one_sentence_of)
+    transition = cached_property(transition_of)
+    watch = property(watch_of)
 
     @property
     def span(self) -> str:
@@ -114,6 +117,14 @@ class Excitation(Regressor):
             return None, str(error)
 
     @cached_property
+    def along_run(self) -> tuple[Any, str]:
+        """The Dataset `transition`, or None and the reason."""
+        try:
+            return self.transition, ""
+        except ClptError as error:
+            return None, str(error)
+
+    @cached_property
     def exact(self) -> "Excitation":
         """The same of a recorded run's scenario, which is simulated again at the nodes."""
         if (
@@ -134,7 +145,7 @@ class Excitation(Regressor):
                     f"no certificate: {name} in the window is not that of the run's scenario. "
                     "Give the scenario in place of the run"
                 )
-        return gramian(self.scenario, self.window, self.start)
+        return self.over(self.scenario, self.window, self.start, self.cuts)
 
     @cached_property
     def accuracy(self) -> float | None:
@@ -142,7 +153,7 @@ class Excitation(Regressor):
         last = self.source.sizes["time"] - 1
         thin = thinned(self.source, 2)
         try:
-            coarse = self._in(thin, self.window, self.start).eigenvalues
+            coarse = self.over(thin, self.window, self.start).eigenvalues
         except DataError:
             return None
         changes = [
@@ -153,8 +164,8 @@ class Excitation(Regressor):
         change = float(np.max(changes))
         return change if thin.sizes["time"] <= last and change <= MAX_CHANGE else None
 
-    def _in(self, *where: Any) -> "Excitation":
-        """Return the same of another run or window, cut at edges."""
+    def over(self, *where: Any) -> "Excitation":
+        """Return the same over a run, window and start, cut at edges."""
         signals = self.form or self.names.get("w")
         regressor = joint_regressors(*where, signals=signals)[""]
         return Excitation(**vars(regressor), source=where[0])
@@ -185,7 +196,7 @@ class Excitation(Regressor):
         begin, end = span_of(self.source)
         starts = np.unique(np.linspace(begin, max(begin, end - self.window), count))
         edges = np.concatenate([starts, starts + self.window])
-        regressor = self._in(self.source, end - begin, begin, edges)
+        regressor = self.over(self.source, end - begin, begin, edges)
         parts = regressor.parts(starts, self.window)
         by_axis = np.stack([eigenvalues_of(*part) for part in parts], axis=1)
         return starts, dict(zip(self.names, by_axis, strict=True))
@@ -316,6 +327,11 @@ def gramian(
         `plot()`, and `certificate()`, the decay of V over the window, with the number of directions
         that the law learns within the run. The Gramian of a team is pooled, and `vehicles` has that
         of each vehicle by name. Gains that the law does not adapt are left out.
+
+        `transition` is a Dataset of |Phi| along the run: `factor`, from the start of the run, by
+        which its errors fall at least, but for what a disturbance adds, and `window_factor`, in
+        each window. `watch` has blocks that carry Phi beside a loop, with the same norms as
+        outputs, for `clpt.connect` and `clpt.export`.
 
     Raises
     ------
