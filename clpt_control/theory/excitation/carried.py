@@ -26,7 +26,7 @@ from .certificates import drop_of, refuse_uncertified, worsened
 from .regressor import gains_of_w, regressors, scale_of, span_of
 
 MOST_WINDOWS = 1000
-SMALLEST = 1e-30  # factor
+LEAST = 1e-5  # bound of |Phi|, above what is lost by rounding Phi - I to float, and by steps
 
 
 def regressor(t, x, u, p):
@@ -37,7 +37,7 @@ def regressor(t, x, u, p):
 
 def bound_of_norm(Phi):
     """Return a bound of |Phi|: |Phi|^4 = |S|^2 = |S^2| <= |S^2|_F for S = Phi^T Phi."""
-    size = np.maximum(np.max(np.abs(Phi)), SMALLEST)
+    size = np.maximum(np.max(np.abs(Phi)), LEAST)
     Phi = Phi * (1 / size)
     S = Phi.T @ Phi
     squares = np.maximum(np.sum((S @ S) ** 2), 1.0)  # 1 from its largest entry
@@ -69,7 +69,7 @@ def restarted(t, x, u, p):
 def norms(t, x, u, p):
     """Return bounds of |Phi| from the start, and in each window of T of Definition 3.1."""
     Phi, past = since_jump(x)
-    worst = np.where(x.begun > 0, x.worst, 1.0)
+    worst = x.worst + (1 - x.begun)  # 1 until a window has ended
     return {"factor": bound_of_norm(Phi @ past), "worst": worst}
 
 
@@ -90,14 +90,14 @@ def watch_of(excitation: Any) -> list[Block]:
         inputs, w = {"phi_x": N, "z": 2, "zc": 2}, {"w_x1": N + 2, "w_x2": N + 2}
         blocks += [Block("regressor", output=regressor, inputs=inputs, outputs=w)]
         scale = scale_of(gains_of_w(scenario))
-        for axis, k in zip(excitation.names, excitation.feedback, strict=True):
+        for axis, k in zip(excitation.names, scenario.vehicle.feedback, strict=True):
             watched[f"_{axis}"] = [[-k]], [[1.0]], scale
     for axis, (A, left, right) in watched.items():
         m, (parameters, n) = len(A), np.shape(right)
         errors = "errors", "errors"
         watch = make_block(
             f"watch{axis}",
-            {port: port + axis for port in ("w", "factor", "worst") if axis},
+            {port: port + axis for port in ("w", "factor", "worst")},
             {"A": A, "left": left, "right": right, "interval": -1.0},
             update=moves,
             output=norms,
@@ -121,35 +121,28 @@ def transition_of(excitation: Any) -> Any:
     """
     import xarray
 
-    if excitation.source is None or excitation.vehicles:
-        raise DataError(
-            "transition: is for the run of one scenario and of=verdict. A team and its vehicles "
-            "have Gramians of one window"
-        )
+    refuse_uncertified(excitation)
     (begin, end), T = span_of(excitation.source), excitation.window
     count = (end - begin) / T
     if count > MOST_WINDOWS:
         raise DataError(
-            f"transition: the run has {count:.3g} windows of {T:g}, at most {MOST_WINDOWS} are "
-            "allowed. Give a longer window"
+            f"transition: the run has more than {MOST_WINDOWS} windows. Give a longer window"
         )
-    ends = begin + T * np.arange(1, int(count * (1 + 1e-12)) + 1)
-    times = ends if end - ends[-1] < 1e-9 * T else np.append(ends, end)
-    whole = excitation.over(excitation.source, end - begin, begin, times).exact
-    cuts = np.searchsorted(whole.cuts, np.append(begin, times) - 1e-9 * T)
-    parts = [slice(*part) for part in pairwise(cuts)]
-    Phi = np.array(
-        [
-            drop_of(replace(whole, w=whole.w[:, part], weights=whole.weights[part]))[1]
-            for part in parts
-        ]
+    starts = begin + T * np.arange(np.ceil(count - 1e-9))
+    edges = np.append(starts, end)
+    whole = excitation.over(excitation.source, end - begin, begin, edges).exact
+    cuts = np.searchsorted(whole.cuts, edges - 1e-9 * T)
+    Phi = []
+    for begin, end in pairwise(cuts):
+        w, weights = whole.w[:, begin:end], whole.weights[begin:end]
+        Phi.append(drop_of(replace(whole, w=w, weights=weights))[1])
+    along = accumulate(Phi, lambda past, window: window @ past)
+    factor, of_window = (
+        np.minimum(worsened(np.array([*matrices]), whole.change)[..., 0], 1.0)
+        for matrices in (along, Phi)
     )
-    along = [*accumulate(Phi, lambda past, window: window @ past)]
-    norms = [
-        np.minimum(worsened(array, whole.change)[..., 0], 1.0) for array in (along, Phi)
-    ]
-    norms[1][len(ends) :] = np.nan  # shorter than a window
+    if len(starts) > count * (1 + 1e-9):  # the last is shorter
+        of_window[-1] = np.nan
     dims = "time", "axis"
-    variables = {"factor": (dims, norms[0]), "window_factor": (dims, norms[1])}
-    coordinates = {"time": times, "axis": [*excitation.names]}
-    return xarray.Dataset(variables, coordinates)
+    variables = {"factor": (dims, factor), "window_factor": (dims, of_window)}
+    return xarray.Dataset(variables, {"time": edges[1:], "axis": [*excitation.names]})

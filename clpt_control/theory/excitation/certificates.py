@@ -80,15 +80,6 @@ class Certificate:
         return float(self.window * largest_disturbance * windows)
 
 
-def halving_text(bound: Any, unit: str) -> str:
-    """Return the half-life of the root of V of a bound, and its overshoot."""
-    half_life = f"{at_most(bound.half_life)} {unit}".rstrip()
-    factor = at_most(bound.overshoot)
-    return (
-        f"the root of V halves at least every {half_life}, but for a factor {factor},"
-    )
-
-
 def refuse_turns(turns: float) -> None:
     """Raise an error for a window in which e and eta turn too many radians."""
     if turns > MAX_PIECES * TURN:
@@ -196,7 +187,8 @@ def drop_of(excitation: Any) -> tuple[np.ndarray, np.ndarray]:
         W = w.reshape(1, len(weights), -1, m, n)
         scaled = form.left @ W @ form.right
         return _drop_along(scaled, form.scaled_A[None], weights[:, ::m])
-    return worst_drop(w, excitation.feedback, excitation.gains, weights)
+    feedback = excitation.scenario.vehicle.feedback
+    return worst_drop(w, feedback, excitation.gains, weights)
 
 
 def _is_disturbed(excitation: Any) -> bool:

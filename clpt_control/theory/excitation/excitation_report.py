@@ -17,7 +17,6 @@ from ...base.figures import BLUE, GREY, RED, TITLE, axes_for
 from ...base.html import Result
 from ...base.units import at_most
 from ..proofs.statements import listed
-from .certificates import halving_text
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -65,7 +64,7 @@ def report_of(excitation: Any) -> dict[str, Any]:
     excited.  All are None if the window cannot be certified; ``not_certified`` is the reason.
     ``factor`` is |Phi| at the end of the run, by axis: the root of V is at most so much of its
     first, but for what a disturbance adds.  ``window_factor`` is the largest |Phi| of a window of
-    the run.  Both are None if they are not known; ``no_factor`` is the reason.
+    the run.  Both are left out if they are not known.
 
     A recorded run has an ``accuracy``: the largest relative change of an eigenvalue if every
     second sample is left out, which is above the error; None if the change is large.
@@ -83,13 +82,10 @@ def report_of(excitation: Any) -> dict[str, Any]:
     report = _measured(excitation)
     report |= {name: getattr(certificate, name, None) for name in CERTIFIED}
     report |= {"not_certified": reason} if reason else {}
-    along, reason = excitation.along_run
-    last, most = {}, {}
-    for axis in excitation.names if along else ():
-        one = along.sel(axis=axis)
-        last[axis], most[axis] = float(one.factor[-1]), float(one.window_factor.max())
-    report |= {"factor": last or None, "window_factor": most or None}
-    report |= {"no_factor": reason} if reason else {}
+    along, _ = excitation.along_run
+    norms = along and (along.factor[-1], along.window_factor.max("time"))
+    for name, values in zip(("factor", "window_factor"), norms or (), strict=False):
+        report[name] = dict(zip(excitation.names, values.values.tolist(), strict=True))
     recorded = hasattr(excitation.source, "data_vars")
     return report | ({"accuracy": excitation.accuracy} if recorded else {})
 
@@ -139,14 +135,16 @@ def learned_text(excitation: Any) -> str:
 
 def repeated_text(excitation: Any) -> str:
     """Return the half-life of the errors, if they are excited."""
-    found, unit = excitation.certified[0], excitation.time_unit
+    found = excitation.certified[0]
     if found.half_life is None:
         return "not excited, or not enough: errors have no half-life"
-    but = ", but for what the disturbance adds" * found.disturbed
+    half_life = f"{at_most(found.half_life)} {excitation.time_unit}".rstrip()
+    factor = at_most(found.overshoot)
     of_errors = at_most(found.overshoot * np.linalg.cond(excitation.scale))
+    but = ", but for what the disturbance adds" * found.disturbed
     return (
-        f"{halving_text(found, unit)} along this run repeated (errors of parameters, from e = 0: "
-        f"but for a factor {of_errors}){but}"
+        f"the root of V halves at least every {half_life}, but for a factor {factor}, along this "
+        f"run repeated (errors of parameters, from e = 0: but for a factor {of_errors}){but}"
     )
 
 
@@ -192,24 +190,22 @@ def _along_run(excitation: Any) -> Iterator[str]:
     if reason:
         yield f"|Phi| along the run: {reason}"
         return
-    unit = f" {excitation.time_unit}".rstrip()
-    chosen = np.unique(np.linspace(0, along.sizes["time"] - 1, TOLD).astype(int))
-    told, most = [], []
-    for axis in excitation.names:
-        one = along.sel(axis=axis)
-        factors = zip(one.time.values[chosen], one.factor.values[chosen], strict=True)
-        told.append(
-            f"{axis} "
-            + ", ".join(f"{at_most(factor)} at {t:g}{unit}" for t, factor in factors)
+    unit, axes = f" {excitation.time_unit}".rstrip(), ", ".join(excitation.names)
+    chosen = np.unique(np.linspace(0, len(along.time) - 1, TOLD).astype(int))
+    told = [
+        f"{', '.join(map(at_most, factors))} at {t:g}{unit}"
+        for t, factors in zip(
+            along.time.values[chosen], along.factor.values[chosen], strict=True
         )
-        most.append(f"{axis} {at_most(one.window_factor.max())}")
+    ]
+    most = ", ".join(map(at_most, along.window_factor.max("time").values))
     yield (
-        "along this run, and for it alone, the root of V is at most |Phi| times the first: "
-        f"{'; '.join(told)}"
+        "along this run, and for it alone, the root of V is at most |Phi| times the first "
+        f"({axes}): {'; '.join(told)}"
     )
     yield (
         f"ahead by windows only: |Phi| in each window of {excitation.window:g}{unit} of this run "
-        f"is at most {', '.join(most)}; errors go on to fall so while later windows keep it"
+        f"is at most {most} ({axes}); errors go on to fall so while later windows keep it"
     )
 
 
@@ -349,12 +345,6 @@ def draw_tube(excitation: Any, run: Any, ax: Any) -> "Axes":
         first * found.overshoot * 2 ** ((start - after) / (found.half_life or np.inf))
     )
     ax.semilogy(after, tube, label="at most, contraction")
-    along, _ = excitation.along_run
-    if along:
-        factor = np.append(1, along.factor.max("axis"))
-        ends = np.append(times[0], along.time)
-        label = "at most, |Phi| along this run"
-        ax.semilogy(ends, V[0] ** 0.5 * factor, drawstyle="steps-post", label=label)
     unit = "" if form else excitation.scenario.units.length
     ax.set_xlabel(f"time ({excitation.time_unit})".removesuffix(" ()"))
     ax.set_ylabel(f"root of V ({unit})".removesuffix(" ()"))

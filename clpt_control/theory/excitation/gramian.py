@@ -13,7 +13,7 @@ c_i = (theta_i - alpha_M_i, -KD_i, GammaD_i), Eqs. (1), (3), (7) give w^T c_i = 
 The vehicles of a team share the flow parameters of an axis and have their own K_i and Gamma_i.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
@@ -111,18 +111,12 @@ class Excitation(Regressor):
     @cached_property
     def certified(self) -> tuple[Certificate | None, str]:
         """The certificate, or None and the reason."""
-        try:
-            return self.certificate(), ""
-        except ClptError as error:
-            return None, str(error)
+        return or_reason(self.certificate)
 
     @cached_property
     def along_run(self) -> tuple[Any, str]:
         """The Dataset `transition`, or None and the reason."""
-        try:
-            return self.transition, ""
-        except ClptError as error:
-            return None, str(error)
+        return or_reason(lambda: self.transition)
 
     @cached_property
     def exact(self) -> "Excitation":
@@ -285,6 +279,14 @@ class Excitation(Regressor):
             scaled = left @ self.w @ form.right
             values = {"w": eigenvalues_of(scaled[0], self.weights)}
         return {a: int(np.sum(v <= NOT_LEARNABLE * v[-1])) for a, v in values.items()}
+
+
+def or_reason(make: Callable[[], Any]) -> tuple[Any, str]:
+    """Return what a function makes, or None and the reason."""
+    try:
+        return make(), ""
+    except ClptError as error:
+        return None, str(error)
 
 
 @public

@@ -124,18 +124,9 @@ class Regressor:
     change: float = 0.0  # of the transition matrix, if pieces were divided further
 
     @property
-    def feedback(self) -> Sequence[Any]:
-        """Decay k of e of each axis; none where e has several components."""
-        form = self.form
-        if form:
-            return [-form.A[0]] * (form.W.rows == 1)
-        return self.scenario.vehicle.feedback
-
-    @property
     def scale(self) -> np.ndarray:
-        """Matrix S: w S belongs to coordinates in which V is half a sum of squares, for one e."""
-        form = self.form
-        return form.left[0, 0] * form.right if form else scale_of(self.gains)
+        """Matrix S: parameter errors are S times coordinates in which V is half their squares."""
+        return self.form.right if self.form else scale_of(self.gains)
 
     @property
     def start(self) -> float:

@@ -139,6 +139,11 @@ def test_a_loop_is_drawn_and_exported(clpt, refused_for):
     words = "export", "p.toml", "--part", "learner", "--single", "-o", "own.c"
     assert clpt(*words).out == "Wrote own.c\n"
     assert "void own_step(float t" in Path("own.c").read_text()
+    assert clpt("export", *words[1:], "--watch").out == "Wrote own.c\n"
+    assert "own_y_factor_x1," in Path("own.c").read_text()
+    refused_for(
+        ["watch: is of part='learner'"], "export", "p.toml", "--watch", "-o", "q.c"
+    )
     refused_for(
         ["part = 'law': must be 'learner'"],
         "export",
