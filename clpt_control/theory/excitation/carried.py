@@ -38,58 +38,50 @@ def regressor(t, x, u, p):
 def bound_of_norm(Phi):
     """Return a bound of |Phi|: |Phi|^4 = |S|^2 = |S^2| <= |S^2|_F for S = Phi^T Phi."""
     size = np.maximum(np.max(np.abs(Phi)), LEAST)
-    Phi = Phi * (1 / size)
+    Phi = Phi / size
     S = Phi.T @ Phi
     squares = np.maximum(np.sum((S @ S) ** 2), 1.0)  # 1 from its largest entry
     return np.minimum(size * squares**0.125, 1.0)
 
 
-def since_jump(x):
-    """Return Phi of the window, and that of all windows before, of x' = M x, Eq. (27)-(28)."""
-    one = np.eye(len(x.moved))
-    return one + x.moved, x.past + (1 - x.begun[0]) * one
-
-
 def moves(t, x, u, p):
-    """Phi' = M Phi in the window, of the errors of Eq. (27)-(28), e first."""
-    Phi, _ = since_jump(x)
+    """Phi' = M Phi in the window, of the errors of Eq. (27)-(28), e first; the state is Phi - I."""
+    Phi = np.eye(len(x.moved)) + x.moved
     m = len(p.A)
     W = p.left @ u.w.reshape(m, -1) @ p.right
     rates = np.concatenate([p.A @ Phi[:m] + W @ Phi[m:], -W.T @ Phi[:m]])
-    return {"moved": rates, "past": 0.0, "begun": 0.0, "worst": 0.0}
+    return {"moved": rates, "past": 0.0, "worst": 0.0}
 
 
 def restarted(t, x, u, p):
     """End a window of T of Definition 3.1: keep its Phi, and begin with Phi = I."""
-    Phi, past = since_jump(x)
+    one = np.eye(len(x.moved))
+    Phi = one + x.moved
     worst = np.maximum(x.worst, bound_of_norm(Phi))
-    return {"moved": 0.0, "past": Phi @ past, "begun": 1.0, "worst": worst}
+    return {"moved": 0.0, "past": Phi @ (one + x.past) - one, "worst": worst}
 
 
 def norms(t, x, u, p):
     """Return bounds of |Phi| from the start, and in each window of T of Definition 3.1."""
-    Phi, past = since_jump(x)
-    worst = x.worst + (1 - x.begun)  # 1 until a window has ended
-    return {"factor": bound_of_norm(Phi @ past), "worst": worst}
+    one = np.eye(len(x.moved))
+    Phi = (one + x.moved) @ (one + x.past)
+    return {"factor": bound_of_norm(Phi), "worst": x.worst}
 
 
 def watch_of(excitation: Any) -> list[Block]:
     """Return blocks for `export(..., watch=)` or `connect`, which carry Phi beside the loop.
 
     Outputs are `factor_x1`, a bound of |Phi| from the start, and `worst_x1`, of the largest |Phi|
-    in windows that have ended at multiples of the excitation's; of a verdict, `factor` and
-    `worst`.  The input `w` of a verdict is W, row by row.  Numbers are those of the excitation.
+    in windows that have ended at multiples of the excitation's, 0 before; of a verdict, `factor`
+    and `worst`.  The input `w` of a verdict is W, row by row.  Numbers are those of the excitation.
     """
     refuse_uncertified(excitation)
     form, scenario = excitation.form, excitation.scenario
-    blocks, watched = [], {}
-    if form:
-        watched[""] = form.scaled_A, form.left, form.right
-    else:
-        N = scenario.basis.N
-        inputs, w = {"phi_x": N, "z": 2, "zc": 2}, {"w_x1": N + 2, "w_x2": N + 2}
-        blocks += [Block("regressor", output=regressor, inputs=inputs, outputs=w)]
-        scale = scale_of(gains_of_w(scenario))
+    blocks, watched = [], {"": (form.scaled_A, form.left, form.right)} if form else {}
+    if not form:
+        w, scale = scenario.basis.N + 2, scale_of(gains_of_w(scenario))
+        inputs, outputs = {"phi_x": w - 2, "z": 2, "zc": 2}, {"w_x1": w, "w_x2": w}
+        blocks = [Block("regressor", output=regressor, inputs=inputs, outputs=outputs)]
         for axis, k in zip(excitation.names, scenario.vehicle.feedback, strict=True):
             watched[f"_{axis}"] = [[-k]], [[1.0]], scale
     for axis, (A, left, right) in watched.items():
@@ -106,7 +98,7 @@ def watch_of(excitation: Any) -> list[Block]:
             inputs={"w": m * parameters},
             outputs={"factor": 1, "worst": 1},
             sizes={"errors": m + n},
-            states={"moved": errors, "past": errors, "begun": 1, "worst": 1},
+            states={"moved": errors, "past": errors, "worst": 1},
         )
         blocks.append(watch)
     return blocks

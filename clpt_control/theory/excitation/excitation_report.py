@@ -15,8 +15,9 @@ import numpy as np
 
 from ...base.figures import BLUE, GREY, RED, TITLE, axes_for
 from ...base.html import Result
-from ...base.units import at_most
+from ...base.units import at_most, finite_or_none
 from ..proofs.statements import listed
+from .regressor import scale_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -62,9 +63,10 @@ def report_of(excitation: Any) -> dict[str, Any]:
     disturbance if ``disturbed``.  The root of V is at most ``overshoot``
     2^(-t/``half_life``) of the first if the window repeats; ``half_life`` is None if it is not
     excited.  All are None if the window cannot be certified; ``not_certified`` is the reason.
-    ``factor`` is |Phi| at the end of the run, by axis: the root of V is at most so much of its
-    first, but for what a disturbance adds.  ``window_factor`` is the largest |Phi| of a window of
-    the run.  Both are left out if they are not known.
+    ``along_run`` has lists: by ``time`` and ``axis`` ``factor``, |Phi|, of which the root of V is
+    at most so much of its first in the run, but for what a disturbance adds, and
+    ``window_factor``, |Phi| of the window that ends there, None for a shorter one.  It is empty
+    if Phi is not known.
 
     A recorded run has an ``accuracy``: the largest relative change of an eigenvalue if every
     second sample is left out, which is above the error; None if the change is large.
@@ -83,9 +85,8 @@ def report_of(excitation: Any) -> dict[str, Any]:
     report |= {name: getattr(certificate, name, None) for name in CERTIFIED}
     report |= {"not_certified": reason} if reason else {}
     along, _ = excitation.along_run
-    norms = along and (along.factor[-1], along.window_factor.max("time"))
-    for name, values in zip(("factor", "window_factor"), norms or (), strict=False):
-        report[name] = dict(zip(excitation.names, values.values.tolist(), strict=True))
+    columns = along.variables.items() if along else ()
+    report["along_run"] = {name: finite_or_none(x.values) for name, x in columns}
     recorded = hasattr(excitation.source, "data_vars")
     return report | ({"accuracy": excitation.accuracy} if recorded else {})
 
@@ -140,7 +141,9 @@ def repeated_text(excitation: Any) -> str:
         return "not excited, or not enough: errors have no half-life"
     half_life = f"{at_most(found.half_life)} {excitation.time_unit}".rstrip()
     factor = at_most(found.overshoot)
-    of_errors = at_most(found.overshoot * np.linalg.cond(excitation.scale))
+    form = excitation.form
+    scale = form.right if form else scale_of(excitation.gains)
+    of_errors = at_most(found.overshoot * np.linalg.cond(scale))
     but = ", but for what the disturbance adds" * found.disturbed
     return (
         f"the root of V halves at least every {half_life}, but for a factor {factor}, along this "
@@ -337,7 +340,7 @@ def draw_tube(excitation: Any, run: Any, ax: Any) -> "Axes":
     form, times, start = excitation.form, run.time.values, excitation.start
     V = form.V_along(run) if form else run.lyapunov.values
     ax = axes_for(ax, 7.6, 4.0)
-    ax.set_prop_cycle(color=("black", BLUE, RED), linestyle=("-", "--", "-."))
+    ax.set_prop_cycle(color=("black", BLUE), linestyle=("-", "--"))
     ax.semilogy(times, V**0.5, label="of the run")
     after = times[times >= start]
     first, found = np.interp(start, times, V**0.5), excitation.certificate()

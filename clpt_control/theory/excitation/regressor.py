@@ -124,11 +124,6 @@ class Regressor:
     change: float = 0.0  # of the transition matrix, if pieces were divided further
 
     @property
-    def scale(self) -> np.ndarray:
-        """Matrix S: parameter errors are S times coordinates in which V is half their squares."""
-        return self.form.right if self.form else scale_of(self.gains)
-
-    @property
     def start(self) -> float:
         """Start of the window, units.time."""
         return float(self.cuts[0])
