@@ -64,8 +64,8 @@ def restarted(t, x, u, p):
 def norms(t, x, u, p):
     """Return bounds of |Phi| from the start, and in each window of T of Definition 3.1."""
     one = np.eye(len(x.moved))
-    Phi = (one + x.moved) @ (one + x.past)
-    return {"factor": bound_of_norm(Phi), "worst": x.worst}
+    factor = bound_of_norm((one + x.moved) @ (one + x.past))
+    return {"factor": factor, "worst": x.worst}
 
 
 def watch_of(excitation: Any) -> list[Block]:
@@ -84,23 +84,24 @@ def watch_of(excitation: Any) -> list[Block]:
         blocks = [Block("regressor", output=regressor, inputs=inputs, outputs=outputs)]
         for axis, k in zip(excitation.names, scenario.vehicle.feedback, strict=True):
             watched[f"_{axis}"] = [[-k]], [[1.0]], scale
+    errors = "errors", "errors"
     for axis, (A, left, right) in watched.items():
         m, (parameters, n) = len(A), np.shape(right)
-        errors = "errors", "errors"
-        watch = make_block(
-            f"watch{axis}",
-            {port: port + axis for port in ("w", "factor", "worst")},
-            {"A": A, "left": left, "right": right, "interval": -1.0},
-            update=moves,
-            output=norms,
-            jump=restarted,
-            breakpoints=Each(excitation.window),
-            inputs={"w": m * parameters},
-            outputs={"factor": 1, "worst": 1},
-            sizes={"errors": m + n},
-            states={"moved": errors, "past": errors, "worst": 1},
-        )
-        blocks.append(watch)
+        blocks += [
+            make_block(
+                f"watch{axis}",
+                {port: port + axis for port in ("w", "factor", "worst")},
+                {"A": A, "left": left, "right": right, "interval": -1.0},
+                update=moves,
+                output=norms,
+                jump=restarted,
+                breakpoints=Each(excitation.window),
+                inputs={"w": m * parameters},
+                outputs={"factor": 1, "worst": 1},
+                sizes={"errors": m + n},
+                states={"moved": errors, "past": errors, "worst": 1},
+            )
+        ]
     return blocks
 
 
@@ -120,20 +121,18 @@ def transition_of(excitation: Any) -> Any:
         raise DataError(
             f"transition: the run has more than {MOST_WINDOWS} windows. Give a longer window"
         )
-    starts = begin + T * np.arange(np.ceil(count - 1e-9))
-    edges = np.append(starts, end)
+    edges = np.append(begin + T * np.arange(np.ceil(count - 1e-9)), end)
     whole = excitation.over(excitation.source, end - begin, begin, edges).exact
-    cuts = np.searchsorted(whole.cuts, edges - 1e-9 * T)
-    Phi = []
-    for begin, end in pairwise(cuts):
-        w, weights = whole.w[:, begin:end], whole.weights[begin:end]
-        Phi.append(drop_of(replace(whole, w=w, weights=weights))[1])
-    along = accumulate(Phi, lambda past, window: window @ past)
+    cuts = pairwise(np.searchsorted(whole.cuts, edges - 1e-9 * T))
+    Phi = [
+        drop_of(replace(whole, w=whole.w[:, a:b], weights=whole.weights[a:b]))[1]
+        for a, b in cuts
+    ]
     factor, of_window = (
         np.minimum(worsened(np.array([*matrices]), whole.change)[..., 0], 1.0)
-        for matrices in (along, Phi)
+        for matrices in (accumulate(Phi, lambda past, window: window @ past), Phi)
     )
-    if len(starts) > count * (1 + 1e-9):  # the last is shorter
+    if len(edges) > 1 + count * (1 + 1e-9):  # the last is shorter
         of_window[-1] = np.nan
     dims = "time", "axis"
     variables = {"factor": (dims, factor), "window_factor": (dims, of_window)}

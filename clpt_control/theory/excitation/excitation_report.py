@@ -194,12 +194,10 @@ def _along_run(excitation: Any) -> Iterator[str]:
         yield f"|Phi| along the run: {reason}"
         return
     unit, axes = f" {excitation.time_unit}".rstrip(), ", ".join(excitation.names)
-    chosen = np.unique(np.linspace(0, len(along.time) - 1, TOLD).astype(int))
+    chosen = np.unique(np.linspace(0, along.time.size - 1, TOLD).astype(int))
     told = [
-        f"{', '.join(map(at_most, factors))} at {t:g}{unit}"
-        for t, factors in zip(
-            along.time.values[chosen], along.factor.values[chosen], strict=True
-        )
+        f"{', '.join(map(at_most, row.values))} at {float(row.time):.10g}{unit}"
+        for row in along.factor[chosen]
     ]
     most = ", ".join(map(at_most, along.window_factor.max("time").values))
     yield (
