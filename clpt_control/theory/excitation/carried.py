@@ -77,13 +77,14 @@ def watch_of(excitation: Any) -> list[Block]:
     """
     refuse_uncertified(excitation)
     form, scenario = excitation.form, excitation.scenario
-    blocks, watched = [], {"": (form.scaled_A, form.left, form.right)} if form else {}
-    if not form:
+    if form:
+        blocks, watched = [], {"": (form.scaled_A, form.left, form.right)}
+    else:
         w, scale = scenario.basis.N + 2, scale_of(gains_of_w(scenario))
         inputs, outputs = {"phi_x": w - 2, "z": 2, "zc": 2}, {"w_x1": w, "w_x2": w}
         blocks = [Block("regressor", output=regressor, inputs=inputs, outputs=outputs)]
-        for axis, k in zip(excitation.names, scenario.vehicle.feedback, strict=True):
-            watched[f"_{axis}"] = [[-k]], [[1.0]], scale
+        by_axis = zip(excitation.names, scenario.vehicle.feedback, strict=True)
+        watched = {f"_{axis}": ([[-k]], [[1.0]], scale) for axis, k in by_axis}
     errors = "errors", "errors"
     for axis, (A, left, right) in watched.items():
         m, (parameters, n) = len(A), np.shape(right)

@@ -13,7 +13,7 @@ c_i = (theta_i - alpha_M_i, -KD_i, GammaD_i), Eqs. (1), (3), (7) give w^T c_i = 
 The vehicles of a team share the flow parameters of an axis and have their own K_i and Gamma_i.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
@@ -281,7 +281,7 @@ class Excitation(Regressor):
         return {a: int(np.sum(v <= NOT_LEARNABLE * v[-1])) for a, v in values.items()}
 
 
-def or_reason(make: Callable[[], Any]) -> tuple[Any, str]:
+def or_reason(make: Any) -> tuple[Any, str]:
     """Return what a function makes, or None and the reason."""
     try:
         return make(), ""
