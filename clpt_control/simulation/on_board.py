@@ -52,6 +52,10 @@ def learner_file(
             f"{system.name}: has no learner. Give a scenario, or a closed_loop of one"
         )
     scenario = loop.scenario
+    if watch and params:
+        raise ClptError(
+            "watch: has the numbers of its gramian, not those of params. Give them in the scenario"
+        )
     if scenario.learning.row.at_fixes:
         if scenario.localization.latency > 0:
             raise DiagramError(

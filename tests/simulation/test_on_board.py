@@ -344,8 +344,12 @@ def test_the_matrix_on_board_is_that_of_scipy(single, watched, tmp_path):
 
 
 def test_watch_is_of_a_learner():
+    watch = clpt.gramian(PAPER, 200.0).watch
     with pytest.raises(clpt.ClptError, match="watch: is of part='learner'"):
-        clpt.export(PAPER, watch=clpt.gramian(PAPER, 200.0).watch)
+        clpt.export(PAPER, watch=watch)
+    given = {"part": "learner", "params": {"adaptation.gain": 2.0}}
+    with pytest.raises(clpt.ClptError, match="watch: has the numbers of its gramian"):
+        clpt.export(PAPER, watch=watch, **given)
 
 
 # --- altered signs, and what is refused -------------------------------------------------------

@@ -44,7 +44,6 @@ CERTIFIED = (
 )
 INVOLVED = 0.05  # smallest length of a parameter's unit vector in a subspace
 OFF = 0.1  # share of the largest flow parameter
-TOLD = 4  # times at which |Phi| is printed
 LOWEST = 1e-30  # share of the largest eigenvalue; smaller ones are drawn there
 SHARED = "the flow parameters, which all share, and each one's gains where they adapt"
 
@@ -194,10 +193,9 @@ def _along_run(excitation: Any) -> Iterator[str]:
         yield f"|Phi| along the run: {reason}"
         return
     unit, axes = f" {excitation.time_unit}".rstrip(), ", ".join(excitation.names)
-    chosen = np.unique(np.linspace(0, along.time.size - 1, TOLD).astype(int))
     told = [
         f"{', '.join(map(at_most, row.values))} at {float(row.time):.10g}{unit}"
-        for row in along.factor[chosen]
+        for row in along.factor[:: -along.time.size // 4]  # four or fewer
     ]
     most = ", ".join(map(at_most, along.window_factor.max("time").values))
     yield (
