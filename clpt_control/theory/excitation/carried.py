@@ -64,8 +64,7 @@ def restarted(t, x, u, p):
 def norms(t, x, u, p):
     """Return bounds of |Phi| from the start, and in each window of T of Definition 3.1."""
     one = np.eye(len(x.moved))
-    factor = bound_of_norm((one + x.moved) @ (one + x.past))
-    return {"factor": factor, "worst": x.worst}
+    return {"factor": bound_of_norm((one + x.moved) @ (one + x.past)), "worst": x.worst}
 
 
 def watch_of(excitation: Any) -> list[Block]:
@@ -81,8 +80,14 @@ def watch_of(excitation: Any) -> list[Block]:
         blocks, watched = [], {"": (form.scaled_A, form.left, form.right)}
     else:
         w, scale = scenario.basis.N + 2, scale_of(gains_of_w(scenario))
-        inputs, outputs = {"phi_x": w - 2, "z": 2, "zc": 2}, {"w_x1": w, "w_x2": w}
-        blocks = [Block("regressor", output=regressor, inputs=inputs, outputs=outputs)]
+        blocks = [
+            Block(
+                "regressor",
+                output=regressor,
+                inputs={"phi_x": w - 2, "z": 2, "zc": 2},
+                outputs={"w_x1": w, "w_x2": w},
+            )
+        ]
         by_axis = zip(excitation.names, scenario.vehicle.feedback, strict=True)
         watched = {f"_{axis}": ([[-k]], [[1.0]], scale) for axis, k in by_axis}
     errors = "errors", "errors"

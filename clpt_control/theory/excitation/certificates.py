@@ -187,8 +187,8 @@ def drop_of(excitation: Any) -> tuple[np.ndarray, np.ndarray]:
         W = w.reshape(1, len(weights), -1, m, n)
         scaled = form.left @ W @ form.right
         return _drop_along(scaled, form.scaled_A[None], weights[:, ::m])
-    vehicle = excitation.scenario.vehicle
-    return worst_drop(w, vehicle.feedback, excitation.gains, weights)
+    feedback = excitation.scenario.vehicle.feedback
+    return worst_drop(w, feedback, excitation.gains, weights)
 
 
 def _is_disturbed(excitation: Any) -> bool:
