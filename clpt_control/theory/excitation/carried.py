@@ -40,8 +40,8 @@ def bound_of_norm(Phi):
     size = np.maximum(np.max(np.abs(Phi)), LEAST)
     Phi = Phi / size
     S = Phi.T @ Phi
-    squares = np.maximum(np.sum((S @ S) ** 2), 1.0)  # 1 from its largest entry
-    return np.minimum(size * squares**0.125, 1.0)
+    # the sum is 1 at least from the largest entry of Phi
+    return np.minimum(size * np.maximum(np.sum((S @ S) ** 2), 1.0) ** 0.125, 1.0)
 
 
 def moves(t, x, u, p):
@@ -138,7 +138,7 @@ def transition_of(excitation: Any) -> Any:
         np.minimum(worsened(np.array([*matrices]), whole.change)[..., 0], 1.0)
         for matrices in (accumulate(Phi, lambda past, window: window @ past), Phi)
     )
-    if len(edges) > 1 + count * (1 + 1e-9):  # the last is shorter
+    if len(edges) > count + 1.000001:  # the last is shorter
         of_window[-1] = np.nan
     dims = "time", "axis"
     variables = {"factor": (dims, factor), "window_factor": (dims, of_window)}
