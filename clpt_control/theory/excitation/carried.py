@@ -54,7 +54,7 @@ def moves(t, x, u, p):
 
 
 def restarted(t, x, u, p):
-    """End a window of T of Definition 3.1: keep its Phi, and begin with Phi = I."""
+    """End a window of the errors of Eq. (27)-(28): keep its Phi, and begin with Phi = I."""
     one = np.eye(len(x.moved))
     Phi = one + x.moved
     worst = np.maximum(x.worst, bound_of_norm(Phi))
@@ -62,7 +62,7 @@ def restarted(t, x, u, p):
 
 
 def norms(t, x, u, p):
-    """Return bounds of |Phi| from the start, and in each window of T of Definition 3.1."""
+    """Return bounds of |Phi| of Eq. (27)-(28), from the start and in each window."""
     one = np.eye(len(x.moved))
     return {"factor": bound_of_norm((one + x.moved) @ (one + x.past)), "worst": x.worst}
 
