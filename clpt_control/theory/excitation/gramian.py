@@ -24,7 +24,6 @@ import numpy as np
 from ...base.arguments import nearest, public
 from ...base.errors import ArgumentError, ClptError, DataError
 from ...base.html import fragment, paragraphs, table
-from ...base.run_attributes import ARGUMENTS
 from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.recorded_run import is_response, thinned
 from ...simulation.integrate import simulate
@@ -363,17 +362,17 @@ def gramian(
     run: Any = source
     recorded = hasattr(run, "data_vars")
     w: Any = signals
-    if of is not None:
-        noted = run.encoding.get(ARGUMENTS, {}) if recorded else options
-        w = error_system_of(of, signals or (), noted.get("params"))
     for name in options if recorded else ():
         close = nearest(name, ("window", "start", "signals", "of"))
         cure = f"Did you mean '{close}'?" if close else "Leave it out"
         raise ArgumentError(
             f"gramian: {name}: a run has its own times and inputs. {cure}"
         )
-    if options or not (recorded or w is None):
+    is_simulated = not recorded and (signals is not None or of is not None)
+    if options or is_simulated:
         run = simulate(run, **options)
+    if of is not None:
+        w = error_system_of(of, signals or (), run)
     if w is None and (
         isinstance(source, control.InputOutputSystem) or (recorded and is_response(run))
     ):
