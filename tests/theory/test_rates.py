@@ -434,7 +434,7 @@ def test_a_term_that_a_small_error_hides_is_not_taken_for_none():
     run = clpt.simulate(loops[1], t, [sin(t), cos(t)], start, **given)
     with pytest.raises(clpt.DiagramError, match="is not a form of errors"):
         clpt.gramian(run, of=verdict)
-    with pytest.raises(clpt.DiagramError, match="h0' = .* is not -G W"):
+    with pytest.raises(clpt.DiagramError, match=r"h0' = .* is not -G W"):
         clpt.gramian(run, of=verdict, signals=["h0", "h1"])
 
 

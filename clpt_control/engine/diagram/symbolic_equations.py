@@ -428,7 +428,8 @@ def on_symbols(
 ) -> Equations:
     """Return a diagram's equations as it is now; blocks named in `hidden` are undefined functions.
 
-    `params` are those of a call.  Functions that cannot be traced are refused, and sampled blocks unless `with_samples`.
+    `params` are those of a call.  Functions that cannot be traced are refused, and sampled blocks
+    unless `with_samples`.
     """
     read_anew(diagram)
     wiring = wiring_of(diagram, params)
