@@ -75,11 +75,17 @@ KEYS = {  # note -> its keys
 
 
 class RunDiagram:
-    """Diagram and parameters of a run in memory, which copies share and pickles lose."""
+    """Diagram, parameters and request of a run in memory, which copies share and pickles lose."""
 
-    def __init__(self, diagram: Any = None, params: Mapping[str, Any] | None = None):
+    def __init__(
+        self,
+        diagram: Any = None,
+        params: Mapping[str, Any] | None = None,
+        request: Any = None,
+    ):
         self.diagram = diagram
         self.params = params
+        self.request = request
 
     def __deepcopy__(self, memo: Any) -> "RunDiagram":
         return self

@@ -7,13 +7,12 @@ e has independent forms of the states in V', th the other states of V, each less
 V is least.  W may depend on all signals: along a run it is a function of time.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 import sympy
-from scipy.interpolate import interp1d
 from scipy.linalg import block_diag
 from sympy import Matrix
 
@@ -21,11 +20,12 @@ from ...base.errors import DataError, DiagramError
 from ...base.run_attributes import DIAGRAM, RunDiagram
 from ...engine.diagram.symbol_names import TIME, element_name
 from ...engine.diagram.symbolic_equations import Equations, on_symbols
-from ...simulation.comparison import STATES, noted_labels, ports_along, signals_of
+from ...simulation.comparison import STATES, ports_along
 from ..algebra.exact import as_factors, normal_form, vanishes
 from ..algebra.numeric_values import NumericValues
 from ..algebra.texts import short
-from .state_curves import Along, states_between
+from .state_curves import Along, states_along
+from .transitions import Regressor
 
 
 @dataclass(frozen=True)
@@ -38,7 +38,7 @@ class ErrorSystem:
     left: np.ndarray  # of e in them; W is left W right
     right: np.ndarray
     rates: dict[Any, Any]  # of all states in the loop's order
-    inputs: dict[str, Any]  # name -> symbol
+    inputs: list[Any]  # their symbols
     errors: Matrix  # e and th, in states
 
     def errors_at(self, states: np.ndarray) -> np.ndarray:
@@ -61,58 +61,35 @@ class ErrorSystem:
         scaled = self.errors_at(run[STATES].values) @ self.scale.T
         return np.sum(scaled**2, axis=1) / 2
 
-    def along(
-        self, run: Any, start: float, end: float
-    ) -> Callable[[np.ndarray], np.ndarray]:
-        """Return W of time in the coordinates, (times, m, n), in a window of a run."""
-        signals, times, states = inputs_along(run), run.time.values, run[STATES].values
-        inputs = np.array([signals[name] for name in self.inputs])
-        inputs = inputs.reshape(-1, len(times))
-        if not (np.isfinite([*states.T, *inputs]).all() and (np.diff(times) > 0).all()):
-            raise DataError(
-                "gramian: of: states and inputs of the run must be finite, and its times increase"
-            )
-        first = max(0, np.searchsorted(times, start, "right") - 1)
-        inside = slice(first, np.searchsorted(times, end) + 1)
-        samples = times[inside], states[inside], inputs[:, inside]
-        rates, W = self._values_of(*self.rates.values()), self._values_of(*self.W)
+    def along(self, run: Any, start: float, end: float) -> tuple[Regressor, float]:
+        """Return W of time in the coordinates in a window of a run, and its integrated error."""
+        W, signal = self._values_of(*self.W), run.encoding[DIAGRAM].request.inputs.along
 
         def scaled_W(*point: np.ndarray) -> np.ndarray:
             return self.left @ W(*point).reshape(-1, *self.W.shape) @ self.right
 
-        curves = states_between(rates, scaled_W, *samples)
-        signal, last = interp1d(samples[0], samples[2]), samples[0][-1]
+        rates, last = self._values_of(*self.rates.values()), run.time.values[-1]
+        curves, off = states_along(run, rates, scaled_W, start, end)
 
         def W_at(t: np.ndarray) -> np.ndarray:
             t = np.minimum(t, last)
             return scaled_W(t, curves(t), signal(t))
 
-        return W_at
+        return W_at, off
 
     def _values_of(self, *expressions: Any) -> Along:
         """Return expressions as a function of times, states and inputs."""
-        symbols = TIME, *self.rates, *self.inputs.values()
+        symbols = TIME, *self.rates, *self.inputs
         values = NumericValues(*expressions)
         return lambda t, x, u: (
             values.at(dict(zip(symbols, (t, *x.T, *u), strict=True)), len(t)).T
         )
 
 
-def inputs_along(run: Any) -> dict[str, np.ndarray]:
-    """Return the inputs of the diagram of a run by name."""
-    signals = {}
-    for port in ports_along(run):
-        if noted_labels(run, port)[0] == "inputs":
-            own = port.removesuffix("_input")
-            for label, values in signals_of(run[port]).items():
-                signals[own + label.removeprefix(port)] = values
-    return signals
-
-
 def _loop_of(verdict: Any, run: Any) -> tuple[Equations, Any]:
     """Return the equations of the diagram that ran, with its parameters, and V of a verdict."""
     noted = run.encoding.get(DIAGRAM, RunDiagram())
-    if noted.diagram is None:
+    if noted.request is None:
         raise DataError(
             "of: the run does not contain its diagram (files and tables have none), so its loop "
             "is not known. Give the diagram in place of the run, with timepts, inputs, "
@@ -130,11 +107,18 @@ def _loop_of(verdict: Any, run: Any) -> tuple[Equations, Any]:
         for index, value in np.ndenumerate(values)
     }
     V = V.xreplace({s: known.get(str(s), s) for s in V.free_symbols})
-    states = np.shape(run.get(STATES))[1:]
+    states = run.get(STATES, np.empty((0, 0)))
     unknown = V.free_symbols - {*eq.motion, *eq.values, TIME}
-    if unknown or states != (len(eq.motion),):
+    if unknown or states.shape[1] != len(eq.motion):
         raise DataError(
             "of: must be a verdict on the loop of this run, with its states"
+        )
+    whole = [states, *(run[port] for port in ports_along(run))]
+    if not (
+        all(map(np.all, map(np.isfinite, whole))) and np.all(np.diff(run.time) > 0)
+    ):
+        raise DataError(
+            "gramian: of: states and inputs of the run must be finite, and its times increase"
         )
     return eq, V.xreplace(eq.values)
 
@@ -146,11 +130,9 @@ def error_system_of(verdict: Any, names: Sequence[str], run: Any) -> ErrorSystem
     """
     # Step 1: V and rates in states and inputs, with the parameters of the run
     eq, V = _loop_of(verdict, run)
-    inputs = {str(f.func): f for values in eq.inputs.values() for f in values.flat}
-    signals = inputs_along(run)
-    if missing := inputs.keys() - signals.keys():
-        raise DataError(f"of: the run has no input {min(missing)}. Give the whole run")
-    still = {f: 0 for name, f in inputs.items() if not np.any(signals[name])}
+    inputs = [f for values in eq.inputs.values() for f in values.flat]
+    _, given = run.encoding[DIAGRAM].request.inputs.samples
+    still = {f: 0 for f, values in zip(inputs, given, strict=True) if not values.any()}
     numbers = {**eq.values, **still}
     rates = {s: sympy.sympify(x).xreplace(numbers) for s, x in eq.motion.items()}
     # Step 2: V is quadratic; its states are those of e and of th

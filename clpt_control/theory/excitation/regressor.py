@@ -369,14 +369,16 @@ def signal_regressor(
     cuts = np.unique(np.clip([*times, *edges, end], start, end))
     length = float(np.ptp(times))
     if isinstance(signals, ErrorSystem):
-        form, W_at = signals, signals.along(run, start, end)
+        form, (W_at, off) = signals, signals.along(run, start, end)
         cuts, w, change = settled(W_at, cuts, form.scaled_A)
         W = np.linalg.solve(form.left, w) @ np.linalg.inv(form.right)
         weights = np.diff(cuts)[:, None] / 2 * gauss(FEW).weight
         by_nodes = trajectory, cuts, np.repeat(weights, len(form.left), axis=1)
         W = W.reshape(1, len(W), -1, W.shape[-1])
         names = {"w": form.names}
-        return Regressor(names, unit, *by_nodes, W, length, form=form, change=change)
+        return Regressor(
+            names, unit, *by_nodes, W, length, form=form, change=change + off
+        )
     ports = ports_along(run)
     columns = {
         label: column

@@ -1,85 +1,99 @@
-"""States of a run between its samples, by the steps of its own equations.
+"""States of a run as functions of time, in a window.
 
-A run has samples, and a regressor W that is computed from them alone may be aliased.  So the
-classical Runge-Kutta method goes from each sample to the next, in steps that are halved until
-their ends settle.  The ends must be the next samples: then the run follows the equations there.
-A cubic of each step has its states and rates at both ends.  Rates are evaluated within a step, so
-they may jump at samples.
+A regressor W that is computed from samples alone may be aliased.  So the diagram that ran is run
+again, from its own start and with its own inputs and parameters, to times between the samples.  It
+must meet them: then the run is one of this diagram in the window.  Cubics join the states, with
+the rates at their ends from within, since rates may jump there; they are made shorter until W along
+them is W at the states.
 """
 
 from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from scipy.interpolate import PPoly, interp1d
+from scipy.interpolate import PPoly
 
 from ...base.errors import DataError
+from ...base.run_attributes import ARGUMENTS, DIAGRAM
+from ...simulation.comparison import STATES
+from ...simulation.diagram_runs import DiagramRun
 
-SAME = 1e-4  # share of a value by which a run may miss the equations in a window
-TINY = 1e-8  # of a state: absolute tolerance of the steps of a run
+SAME = 1e-4  # share of a value by which a run may miss its diagram's
+TINY = 1e-8  # of a state, which may be an error that has died out
+SETTLED = 1e-5  # share of the largest W by which curves change it, on average
 EDGE = 1e-9  # of a step, by which rates are evaluated within it
-LEAST_STEPS = 1000  # in a window
-MOST_STEPS = 200_000
-# times (n,), states (n, nx), inputs (nu, n) -> values (n, any)
+LEAST_STEPS, MOST_STEPS = 1000, 200_000  # in a window
+Curves = Callable[
+    [np.ndarray], np.ndarray
+]  # times (n,) -> states (n, nx), or inputs (nu, n)
+# times (n,), states (n, nx), inputs (nu, n) -> values (n, ...)
 Along = Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]
 
 
-def states_between(
-    rate: Along, regressor: Along, times: np.ndarray, x: np.ndarray, u: np.ndarray
-) -> PPoly:
-    """Return states as a function of time that samples x (n, nx), with inputs u (nu, n), follow.
-
-    What `regressor` returns settles and is followed too, in shares of its largest value.
-    """
-    largest = np.abs(regressor(times, x, u)).max(initial=0.0)
-    allowed = SAME * np.append(np.abs(x).max(axis=0) + TINY / SAME, largest)
-
-    def off(x: np.ndarray, other: np.ndarray) -> np.ndarray:
-        """Differences of states, and of W, at the samples but the first, summed."""
-        ends = times[1:], u[:, 1:]
-        W, other_W = (regressor(ends[0], at, ends[1]) for at in (x, other))
-        of_W = np.abs(W - other_W).max(axis=(1, 2))
-        return np.append(np.abs(x - other).sum(axis=0), of_W.sum())
-
-    count = -(-LEAST_STEPS // (len(times) - 1))
-    ends, _ = _steps(rate, times, x, u, count)
+def states_along(
+    run: Any, rate: Along, regressor: Along, start: float, end: float
+) -> tuple[Curves, float]:
+    """Return states as a function of time in a window, and the integral of errors of W by it."""
+    times, x = run.time.values, run[STATES].values
+    first = max(0, np.searchsorted(times, start, "right") - 1)
+    inside = slice(first, np.searchsorted(times, end) + 1)
+    times, x, signal = (
+        times[inside],
+        x[inside],
+        run.encoding[DIAGRAM].request.inputs.along,
+    )
+    repeated = _repeated(run)
+    count = 2 * -(-LEAST_STEPS // (len(times) - 1))
     while True:
-        count *= 2
-        before = ends
-        ends, cubics = _steps(rate, times, x, u, count)
-        change = off(ends, before)
-        if np.all(change < allowed / 10) or 2 * count * len(times) > MOST_STEPS:
-            break
-    if not np.all(off(ends, x[1:]) <= 2 * change + allowed):
-        raise DataError(
-            "of: the run does not follow the equations of its diagram in the window, or its "
-            "samples are too far apart. Give the run as it was simulated, with more times"
+        shares = np.arange(count) / count
+        t = np.append(times[:-1, None] + shares * np.diff(times)[:, None], times[-1])
+        states = repeated(t)
+        again, W = states[::count], regressor(t, states, signal(t))
+        missed = np.abs(again - x).max(axis=0) > SAME * np.abs(x).max(axis=0) + TINY
+        of_W = np.abs(regressor(times, x, signal(times)) - W[::count]).max()
+        if missed.any() or of_W > SAME * np.abs(W).max():
+            raise DataError(
+                "of: the run does not follow the equations of its diagram in the window. Give the "
+                "run as it was simulated, of the diagram as it was"
+            )
+        curves = _cubics(rate, signal, t[::2], states[::2])
+        middle, u = t[1::2], signal(t[1::2])
+        change = np.abs(regressor(middle, curves(middle), u) - W[1::2]).max(axis=(1, 2))
+        if change.mean() <= SETTLED * np.abs(W).max():
+            return curves, float(change.mean() * (end - start))
+        if 4 * len(t) > MOST_STEPS:
+            raise DataError(
+                "of: W changes too fast along the run to be computed. Give a shorter window"
+            )
+        count *= 4
+
+
+def _repeated(run: Any) -> Curves:
+    """Return states of the diagram of a run, which is run again, at times."""
+    noted = run.encoding[DIAGRAM]
+    request, engine = noted.request, run.encoding.get(ARGUMENTS, {}).get("engine")
+    again = DiagramRun(request.diagram, noted.params, request.sizes, engine)
+
+    def states(t: np.ndarray) -> np.ndarray:
+        if not request.times[0] <= t[0] < t[-1] <= request.times[-1]:
+            raise DataError("of: the run has times that its diagram did not run")
+        asked = np.union1d(request.times[0], t)
+        solution, _ = again.solve(request._replace(times=asked), is_compared=False)
+        return solution.x[-len(t) :]
+
+    return states
+
+
+def _cubics(rate: Along, signal: Curves, t: np.ndarray, x: np.ndarray) -> PPoly:
+    """Return the cubics that join states (n, nx) at times."""
+    h = np.diff(t)[:, None]
+    first, last = (
+        rate(at, states, signal(at))
+        for at, states in (
+            (t[:-1] + EDGE * h[:, 0], x[:-1]),
+            (t[1:] - EDGE * h[:, 0], x[1:]),
         )
-    shares = np.arange(count) / count
-    begins = times[:-1, None] + shares * np.diff(times)[:, None]
-    return PPoly(cubics, np.append(begins, times[-1]))
-
-
-def _steps(
-    rate: Along, times: np.ndarray, x: np.ndarray, u: np.ndarray, count: int
-) -> tuple[np.ndarray, Any]:
-    """Return states at the end of `count` steps from each sample, and the steps' cubics."""
-    h, signal = np.diff(times)[:, None] / count, interp1d(times, u)
-    x, cubics = x[:-1], []
-    for j in range(count):
-
-        def at(share: float, x: np.ndarray, j: int = j) -> np.ndarray:
-            t = times[:-1] + (j + np.clip(share, EDGE, 1 - EDGE)) * h[:, 0]
-            return rate(t, x, signal(t))
-
-        one = at(0.0, x)
-        two = at(0.5, x + h / 2 * one)
-        three = at(0.5, x + h / 2 * two)
-        four = at(1.0, x + h * three)
-        end = x + h / 6 * (one + 2 * two + 2 * three + four)
-        last, mean = at(1.0, end), (end - x) / h
-        cubics.append(
-            [(one + last - 2 * mean) / h**2, (3 * mean - 2 * one - last) / h, one, x]
-        )
-        x = end
-    return x, np.stack(cubics, axis=2).reshape(4, -1, x.shape[1])
+    )
+    mean = np.diff(x, axis=0) / h
+    third = (first + last - 2 * mean) / h**2
+    return PPoly([third, (3 * mean - 2 * first - last) / h, first, x[:-1]], t)
