@@ -75,17 +75,19 @@ KEYS = {  # note -> its keys
 
 
 class RunDiagram:
-    """Diagram, parameters and request of a run in memory, which copies share and pickles lose."""
+    """A run's diagram, params, request, and numbers of blocks; copies share it, pickles lose it."""
 
     def __init__(
         self,
         diagram: Any = None,
         params: Mapping[str, Any] | None = None,
         request: Any = None,
+        numbers: Any = (),
     ):
         self.diagram = diagram
         self.params = params
         self.request = request
+        self.numbers = numbers
 
     def __deepcopy__(self, memo: Any) -> "RunDiagram":
         return self

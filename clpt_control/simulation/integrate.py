@@ -152,7 +152,8 @@ def simulate(
 
         with cached_run(key, new_run) as run:
             data = run.dataset(*run.solve(request))
-            data.encoding[DIAGRAM] = RunDiagram(request.diagram, params, request)
+            noted = request.diagram, params, request, run.runner.block_parameters
+            data.encoding[DIAGRAM] = RunDiagram(*noted)
             overrides = inputs, initial_state, stop, *solver.values()
             if not run.is_unchanged or any(value is not None for value in overrides):
                 data.attrs |= run.beyond_scenario

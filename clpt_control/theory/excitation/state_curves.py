@@ -8,6 +8,7 @@ them is W at the states.
 """
 
 from collections.abc import Callable
+from itertools import chain
 from typing import Any
 
 import numpy as np
@@ -73,6 +74,11 @@ def _repeated(run: Any) -> Curves:
     noted = run.encoding[DIAGRAM]
     request, engine = noted.request, run.encoding.get(ARGUMENTS, {}).get("engine")
     again = DiagramRun(request.diagram, noted.params, request.sizes, engine)
+    numbers = chain(*again.runner.block_parameters)
+    if not all(map(np.array_equal, numbers, chain(*noted.numbers))):
+        raise DataError(
+            "of: parameters of the diagram have changed since the run. Run it again"
+        )
 
     def states(t: np.ndarray) -> np.ndarray:
         if not request.times[0] <= t[0] < t[-1] <= request.times[-1]:
