@@ -517,7 +517,7 @@ def test_the_sentence_of_parameters_has_their_weights():
     """|h| may rise by the root of the largest gain over the least."""
     found = measured(1.0, [1.0, 10000.0], [sin, lambda t: cos(2 * t)], 2 * np.pi)
     factor = 100 * found.certificate().overshoot
-    assert f"from e = 0: but for a factor {factor:.3g}" in repr(found)
+    assert f"of parameters, from e = 0: a factor {factor:.3g}" in repr(found)
 
 
 @pytest.mark.filterwarnings("error")

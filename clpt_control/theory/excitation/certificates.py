@@ -231,8 +231,8 @@ def certificate(excitation: Any) -> Certificate:
     drop, Phi = _drop_of(exact)
     if np.any(settled > MAX_CHANGE * np.linalg.norm(Phi, 2, axis=(1, 2))):
         raise DataError(
-            "no certificate: W has too many jumps, or oscillates too fast, to be computed. Give a "
-            "shorter window"
+            "no certificate: W or e changes too fast in the window to be computed. Give a shorter "
+            "window"
         )
     drop = np.maximum(drop - settled * (2 + settled), 0)
     # Phi^windows from e = 0: its small singular values are the directions that are learned

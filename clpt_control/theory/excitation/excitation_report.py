@@ -140,7 +140,7 @@ def repeated_text(excitation: Any) -> str:
     of_errors = at_most(found.overshoot * np.linalg.cond(excitation.scale))
     return (
         f"{halving_text(found, unit)} along this run repeated (errors of parameters, from e = 0: "
-        f"but for a factor {of_errors}){but}"
+        f"a factor {of_errors}){but}"
     )
 
 

@@ -53,14 +53,12 @@ from .regressor import (
     system_of,
 )
 from .riccati import MOST, riccati_of
+from .state_curves import SAME, samples_around
 from .watch import watch_of
 
 NOT_LEARNABLE = 1e-9  # share of the largest eigenvalue
 TINY = np.finfo(float).tiny
 MAX_CHANGE = 0.1  # of an eigenvalue, up to which it estimates the error
-SAME = (
-    1e-4  # share of a position by which a recorded run may differ from its scenario's
-)
 MAX_FUNCTIONS = 100  # of a basis that `not_learned` measures
 
 
@@ -129,25 +127,20 @@ class Excitation(Regressor):
     @cached_property
     def exact(self) -> "Excitation":
         """The same of a recorded run's scenario, which is simulated again at the nodes."""
-        if (
-            self.scenario is None
-            or isinstance(self.source, Scenario)
-            or self.python_parts
-        ):
+        scenario, end = self.scenario, self.start + self.window
+        if scenario is None or isinstance(self.source, Scenario) or self.python_parts:
             return self
-        times = self.source.time.values
-        inside = (times >= self.start) & (times <= self.start + self.window)
-        again = simulate(self.scenario, times[inside])
+        run = samples_around(self.source, self.start, end)
+        again = simulate(scenario, run.time.values)
         for name in (POSITION, PREDICTED):
-            recorded = self.source[name].values[inside]
-            if not np.allclose(
-                again[name], recorded, SAME, SAME * np.abs(recorded).max()
-            ):
+            x = run[name].values
+            if not np.allclose(again[name], x, SAME, SAME * np.abs(x).max()):
                 raise DataError(
                     f"no certificate: {name} in the window is not that of the run's scenario. "
                     "Give the scenario in place of the run"
                 )
-        return gramian(self.scenario, self.window, self.start)
+        longer = {"run.duration": max(scenario.run.duration, end)}
+        return gramian(scenario.with_values(longer), self.window, self.start)
 
     @cached_property
     def accuracy(self) -> float | None:

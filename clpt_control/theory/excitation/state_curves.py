@@ -31,37 +31,39 @@ Curves = Callable[
 Along = Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]
 
 
+def samples_around(run: Any, start: float, end: float) -> Any:
+    """Return the samples of a run in a window, with those next to its ends."""
+    first = np.searchsorted(run.time, start, "right") - 1
+    return run.isel(time=slice(max(0, first), np.searchsorted(run.time, end) + 1))
+
+
 def states_along(
     run: Any, rate: Along, regressor: Along, start: float, end: float
 ) -> tuple[Curves, float]:
     """Return states as a function of time in a window, and the integral of errors of W by it."""
+    repeated, signal = _repeated(run), run.encoding[DIAGRAM].request.inputs.along
+    run = samples_around(run, start, end)
     times, x = run.time.values, run[STATES].values
-    first = max(0, np.searchsorted(times, start, "right") - 1)
-    inside = slice(first, np.searchsorted(times, end) + 1)
-    times, x, signal = (
-        times[inside],
-        x[inside],
-        run.encoding[DIAGRAM].request.inputs.along,
-    )
-    repeated = _repeated(run)
+    W = regressor(times, x, signal(times))
     count = 2 * -(-LEAST_STEPS // (len(times) - 1))
     while True:
         shares = np.arange(count) / count
         t = np.append(times[:-1, None] + shares * np.diff(times)[:, None], times[-1])
         states = repeated(t)
-        again, W = states[::count], regressor(t, states, signal(t))
-        missed = np.abs(again - x).max(axis=0) > SAME * np.abs(x).max(axis=0) + TINY
-        of_W = np.abs(regressor(times, x, signal(times)) - W[::count]).max()
-        if missed.any() or of_W > SAME * np.abs(W).max():
+        exact, middle, u = regressor(t, states, signal(t)), t[1::2], signal(t[1::2])
+        largest = np.abs(exact).max()
+        missed = np.abs(states[::count] - x).max(axis=0)
+        follows = np.all(missed <= SAME * np.abs(x).max(axis=0) + TINY)
+        if not (follows and np.abs(exact[::count] - W).max() <= SAME * largest):
             raise DataError(
                 "of: the run does not follow the equations of its diagram in the window. Give the "
                 "run as it was simulated, of the diagram as it was"
             )
         curves = _cubics(rate, signal, t[::2], states[::2])
-        middle, u = t[1::2], signal(t[1::2])
-        change = np.abs(regressor(middle, curves(middle), u) - W[1::2]).max(axis=(1, 2))
-        if change.mean() <= SETTLED * np.abs(W).max():
-            return curves, float(change.mean() * (end - start))
+        off = np.abs(regressor(middle, curves(middle), u) - exact[1::2])
+        change = off.max(axis=(1, 2)).mean()
+        if change <= SETTLED * largest:
+            return curves, float(change * (end - start))
         if 4 * len(t) > MOST_STEPS:
             raise DataError(
                 "of: W changes too fast along the run to be computed. Give a shorter window"
