@@ -170,10 +170,8 @@ def _drop_of(excitation: Any) -> tuple[np.ndarray, np.ndarray]:
     """Return the drop of each axis over a window, and Phi, (axes, N, N)."""
     form, scenario = excitation.form, excitation.scenario
     if form:
-        m, n = form.W.shape
-        W = excitation.w.reshape(1, len(excitation.weights), -1, m, n)
-        weights = excitation.weights[:, ::m]
-        return _drop_along(form.left @ W @ form.right, form.scaled_A[None], weights)
+        weights = excitation.weights[:, :: form.W.rows]
+        return _drop_along(excitation.scaled_W, form.scaled_A[None], weights)
     if scenario is None:
         raise DataError(
             "no certificate: it is for the run of one scenario, or of=verdict. A team and signals "

@@ -25,7 +25,7 @@ from ..algebra.exact import as_factors, normal_form, vanishes
 from ..algebra.numeric_values import NumericValues
 from ..algebra.texts import short
 from .state_curves import Along, states_along
-from .transitions import Regressor
+from .transitions import OfTime
 
 
 @dataclass(frozen=True)
@@ -61,7 +61,7 @@ class ErrorSystem:
         scaled = self.errors_at(run[STATES].values) @ self.scale.T
         return np.sum(scaled**2, axis=1) / 2
 
-    def along(self, run: Any, start: float, end: float) -> tuple[Regressor, float]:
+    def along(self, run: Any, start: float, end: float) -> tuple[OfTime, float]:
         """Return W of time in the coordinates in a window of a run, and its integrated error."""
         W, signal = self._values_of(*self.W), run.encoding[DIAGRAM].request.inputs.along
 

@@ -274,11 +274,10 @@ class Excitation(Regressor):
 
         Of an error system they are those in the coordinates of V, whatever the units.
         """
-        values, form = self.without_noise.eigenvalues, self.form
-        if form:
-            left = np.kron(np.eye(len(self.weights[0]) // len(form.left)), form.left)
-            scaled = left @ self.w @ form.right
-            values = {"w": eigenvalues_of(scaled[0], self.weights)}
+        values = self.without_noise.eigenvalues
+        if self.form:
+            (scaled,) = self.scaled_W.reshape(self.w.shape)
+            values = {"w": eigenvalues_of(scaled, self.weights)}
         return {a: int(np.sum(v <= NOT_LEARNABLE * v[-1])) for a, v in values.items()}
 
 

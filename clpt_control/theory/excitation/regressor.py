@@ -138,6 +138,12 @@ class Regressor:
         return form.left[0, 0] * form.right if form else scale_of(self.gains)
 
     @property
+    def scaled_W(self) -> np.ndarray:
+        """W of an error system in coordinates of V, shape (1, pieces, nodes, m, n)."""
+        shape = 1, len(self.weights), -1, *self.form.W.shape
+        return self.form.left @ self.w.reshape(shape) @ self.form.right
+
+    @property
     def start(self) -> float:
         """Start of the window, units.time."""
         return float(self.cuts[0])

@@ -18,15 +18,13 @@ from ...base.errors import DataError
 from ...base.run_attributes import ARGUMENTS, DIAGRAM
 from ...simulation.comparison import STATES
 from ...simulation.diagram_runs import DiagramRun
+from .transitions import OfTime
 
 SAME = 1e-4  # share of a value by which a run may miss its diagram's
 TINY = 1e-8  # of a state, which may be an error that has died out
 SETTLED = 1e-5  # share of the largest W by which curves change it, on average
 EDGE = 1e-9  # of a step, by which rates are evaluated within it
 LEAST_STEPS, MOST_STEPS = 1000, 200_000  # in a window
-Curves = Callable[
-    [np.ndarray], np.ndarray
-]  # times (n,) -> states (n, nx), or inputs (nu, n)
 # times (n,), states (n, nx), inputs (nu, n) -> values (n, ...)
 Along = Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]
 
@@ -39,7 +37,7 @@ def samples_around(run: Any, start: float, end: float) -> Any:
 
 def states_along(
     run: Any, rate: Along, regressor: Along, start: float, end: float
-) -> tuple[Curves, float]:
+) -> tuple[OfTime, float]:
     """Return states as a function of time in a window, and the integral of errors of W by it."""
     repeated, signal = _repeated(run), run.encoding[DIAGRAM].request.inputs.along
     run = samples_around(run, start, end)
@@ -71,7 +69,7 @@ def states_along(
         count *= 4
 
 
-def _repeated(run: Any) -> Curves:
+def _repeated(run: Any) -> OfTime:
     """Return states of the diagram of a run, which is run again, at times."""
     noted = run.encoding[DIAGRAM]
     request, engine = noted.request, run.encoding.get(ARGUMENTS, {}).get("engine")
@@ -90,7 +88,7 @@ def _repeated(run: Any) -> Curves:
     return states
 
 
-def _cubics(rate: Along, signal: Curves, t: np.ndarray, x: np.ndarray) -> PPoly:
+def _cubics(rate: Along, signal: OfTime, t: np.ndarray, x: np.ndarray) -> PPoly:
     """Return the cubics that join states (n, nx) at times."""
     h = np.diff(t)[:, None]
     first, last = (

@@ -26,7 +26,7 @@ JUMP = 1e-3  # of the largest W, by which it may differ at an end of a piece
 OUTSIDE = 0.02  # share of a piece before its first node
 DEEPEST = 22  # times that a piece is divided by four
 LEAST, MOST = 500, 100_000  # pieces
-Regressor = Callable[[np.ndarray], np.ndarray]  # times (n,) -> W (n, m, n)
+OfTime = Callable[[np.ndarray], np.ndarray]  # times (n,) -> W (n, m, n), states (n, nx)
 
 
 class Gauss(NamedTuple):
@@ -102,12 +102,12 @@ class Pieces(NamedTuple):
         """Return some of the pieces."""
         return Pieces(*(values[chosen] for values in self))
 
-    def divided(self, W_at: Regressor, A: np.ndarray, parts: int) -> "Pieces":
+    def divided(self, W_at: OfTime, A: np.ndarray, parts: int) -> "Pieces":
         """Return equal parts of each piece, one after the other."""
         edges = np.linspace(self.begin, self.end, parts + 1)
         return pieces_of(W_at, A, edges[:-1].T.ravel(), edges[1:].T.ravel())
 
-    def off(self, quarters: "Pieces", W_at: Regressor) -> np.ndarray:
+    def off(self, quarters: "Pieces", W_at: OfTime) -> np.ndarray:
         """Return the errors of steps: differences from their quarters, and jumps at the ends."""
         one, two, three, four = (quarters.steps[k::4] for k in range(4))
         product = four @ three @ two @ one
@@ -120,7 +120,7 @@ class Pieces(NamedTuple):
 
 
 def pieces_of(
-    W_at: Regressor, A: np.ndarray, begin: np.ndarray, end: np.ndarray
+    W_at: OfTime, A: np.ndarray, begin: np.ndarray, end: np.ndarray
 ) -> Pieces:
     """Return pieces with W at their nodes."""
     t = begin[:, None] + (end - begin)[:, None] * (1 + gauss(FEW).node) / 2
@@ -130,7 +130,7 @@ def pieces_of(
 
 
 def settled(
-    W_at: Regressor, cuts: np.ndarray, A: np.ndarray
+    W_at: OfTime, cuts: np.ndarray, A: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, float]:
     """Return cuts, W at the nodes (pieces, nodes, m, n), and by how much Phi may change.
 
