@@ -66,7 +66,8 @@ def report_of(excitation: Any) -> dict[str, Any]:
     where the Riccati certificate is found; ``no_riccati`` is the reason if it is nowhere.
 
     A recorded run has an ``accuracy``: the largest relative change of an eigenvalue if every
-    second sample is left out, which is above the error; None if the change is large.
+    second sample is left out; None if the change is large.  It does not show what changes between
+    the samples.
     A team has ``measured`` (description of the parameters), ``smallest`` (eigenvalues by name),
     and ``vehicles`` by name and ``team`` with ``eigenvalues``, ``dimension``, ``not_learnable``.
     """

@@ -307,8 +307,9 @@ def gramian(
         By default w = [phi(x), z_i, zc_i] of Eq. (31). Required for a diagram without `of`, where
         they are the states that are parameters, by default read from V'.
     of : Verdict, optional
-        A verdict of `lyapunov` on the diagram, whose errors have the form e' = A e + W th,
-        th' = -G W^T P e. The Gramian is that of W along the run, and `certificate()` works for it.
+        A verdict of `lyapunov`. By its V the errors of the diagram that ran, with the parameters
+        and inputs of the run, must have the form e' = A e + W th, th' = -G W^T P e. The Gramian is
+        that of W along the run, and `certificate()` works for it. A run from a file has no diagram.
     **options
         Arguments of `simulate`: `timepts`, `inputs`, `initial_state`, `params`.
 
@@ -337,7 +338,8 @@ def gramian(
 
     Notes
     -----
-    Gauss-Legendre quadrature integrates w of Eq. (31). The trapezoidal rule integrates `signals`
+    Gauss-Legendre quadrature integrates w of Eq. (31), and W of a verdict as a function of time,
+    along states of the diagram, which runs again between the samples. The trapezoidal rule integrates `signals`
     from sample to sample, so that the error falls with the square of the time between samples.
 
     Examples
