@@ -205,8 +205,9 @@ class DiagramRun(SystemRun):
     def is_unchanged(self) -> bool:
         """True for a loop as `closed_loop` returned it, and for a diagram that is no such loop."""
         loop = self.loop
-        wiring = loop and wiring_of(self.diagram)
-        return loop is None or (not loop.external and loop.is_unchanged(wiring))
+        return loop is None or (
+            not loop.external and loop.is_unchanged(wiring_of(self.diagram))
+        )
 
     @property
     def beyond_scenario(self) -> dict[str, str]:
