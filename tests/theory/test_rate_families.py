@@ -295,6 +295,27 @@ def test_parameters_that_were_set_after_the_run_are_refused():
         clpt.gramian(run, 2 * pi, 5.0, of=verdict)
 
 
+def test_a_loop_that_counts_intervals_is_refused():
+    signal = clpt.Block(
+        "signal",
+        output=lambda t, x, u, p: {"w": 1.0 - 1.5 * np.mod(p.interval, 2.0)},
+        outputs={"w": 1},
+        parameters={"interval": -1.0},
+        breakpoints=lambda p, t0, t1: np.arange(np.floor(t0) + 1, t1 + 1e-9),
+    )
+    errors = clpt.Block(
+        "errors",
+        update=lambda t, x, u, p: {"e": -x.e + u.w * x.h, "h": -u.w * x.e},
+        inputs={"w": 1},
+        states={"e": 1, "h": 1},
+    )
+    loop = clpt.connect([signal, errors])
+    verdict = clpt.lyapunov(loop, lambda s: s.e**2 + s.h**2)
+    run = clpt.simulate(loop, np.linspace(0, 8, 9), initial_state=[0, 1])
+    with pytest.raises(clpt.DiagramError, match="interval has no value along the run"):
+        clpt.gramian(run, 2.0, 1.0, of=verdict)
+
+
 def test_a_recorded_scenario_in_a_window_inside_one_sample():
     paper = clpt.paper_scenario()
     run = clpt.simulate(paper, np.linspace(0, 400, 9))

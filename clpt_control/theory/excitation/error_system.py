@@ -81,6 +81,8 @@ class ErrorSystem:
         """Return expressions as a function of times, states and inputs."""
         symbols = TIME, *self.rates, *self.inputs
         values = NumericValues(*expressions)
+        if unknown := {*values.symbols} - {*symbols}:
+            raise DiagramError(f"of: {unknown.pop()} has no value along the run")
         return lambda t, x, u: (
             values.at(dict(zip(symbols, (t, *x.T, *u), strict=True)), len(t)).T
         )
