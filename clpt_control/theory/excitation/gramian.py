@@ -132,13 +132,12 @@ class Excitation(Regressor):
             return self
         run = samples_around(self.source, self.start, end)
         again = simulate(scenario, run.time.values)
-        for name in (POSITION, PREDICTED):
-            x = run[name].values
-            if not np.allclose(again[name], x, SAME, SAME * np.abs(x).max()):
-                raise DataError(
-                    f"no certificate: {name} in the window is not that of the run's scenario. "
-                    "Give the scenario in place of the run"
-                )
+        x, y = (np.hstack([one[POSITION], one[PREDICTED]]) for one in (run, again))
+        if not np.allclose(y, x, SAME, SAME * np.abs(x).max()):
+            raise DataError(
+                "no certificate: positions in the window are not those of the run's scenario. "
+                "Give the scenario in place of the run"
+            )
         longer = {"run.duration": max(scenario.run.duration, end)}
         return gramian(scenario.with_values(longer), self.window, self.start)
 
@@ -362,8 +361,7 @@ def gramian(
         raise ArgumentError(
             f"gramian: {name}: a run has its own times and inputs. {cure}"
         )
-    is_simulated = not recorded and (signals is not None or of is not None)
-    if options or is_simulated:
+    if options or (not recorded and (signals, of) != (None, None)):
         run = simulate(run, **options)
     if of is not None:
         w = error_system_of(of, signals or (), run)
