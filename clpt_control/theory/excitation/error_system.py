@@ -109,16 +109,13 @@ def _loop_of(verdict: Any, run: Any) -> tuple[Equations, Any]:
         for index, value in np.ndenumerate(values)
     }
     V = V.xreplace({s: known.get(str(s), s) for s in V.free_symbols})
-    states = run.get(STATES, np.empty((0, 0)))
     unknown = V.free_symbols - {*eq.motion, *eq.values, TIME}
-    if unknown or states.shape[1] != len(eq.motion):
+    if unknown or np.shape(run.get(STATES))[1:] != (len(eq.motion),):
         raise DataError(
             "of: must be a verdict on the loop of this run, with its states"
         )
-    whole = [states, *(run[port] for port in ports_along(run))]
-    if not (
-        all(map(np.all, map(np.isfinite, whole))) and np.all(np.diff(run.time) > 0)
-    ):
+    is_finite = (np.isfinite(run[name]).all() for name in (STATES, *ports_along(run)))
+    if not (all(is_finite) and np.all(np.diff(run.time) > 0)):
         raise DataError(
             "gramian: of: states and inputs of the run must be finite, and its times increase"
         )

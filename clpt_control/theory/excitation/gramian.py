@@ -338,8 +338,9 @@ def gramian(
     Notes
     -----
     Gauss-Legendre quadrature integrates w of Eq. (31), and W of a verdict as a function of time,
-    along states of the diagram, which runs again between the samples. The trapezoidal rule integrates `signals`
-    from sample to sample, so that the error falls with the square of the time between samples.
+    along states of the diagram, which runs again between the samples. The trapezoidal rule
+    integrates `signals` from sample to sample, so that the error falls with the square of the time
+    between samples.
 
     Examples
     --------

@@ -25,7 +25,7 @@ SETTLED = 1e-10  # change of Phi by all pieces that are not divided
 JUMP = 1e-3  # of the largest W, by which it may differ at an end of a piece
 OUTSIDE = 0.02  # share of a piece before its first node
 DEEPEST = 22  # times that a piece is divided by four
-LEAST, MOST = 500, 100_000  # pieces
+LEAST, MOST = 500, 100_000  # pieces at once
 OfTime = Callable[[np.ndarray], np.ndarray]  # times (n,) -> W (n, m, n), states (n, nx)
 
 
@@ -144,8 +144,7 @@ def settled(
         quarters = pieces.divided(W_at, A, 4)
         off = pieces.off(quarters, W_at)
         rough = off > least
-        count = sum(len(some.begin) for some in kept) + len(rough) + 3 * rough.sum()
-        if depth == DEEPEST or count > MOST:
+        if depth == DEEPEST or 4 * rough.sum() > MOST:
             rough[:] = False
         kept.append(pieces.where(~rough))
         change += float(off[~rough].sum())
