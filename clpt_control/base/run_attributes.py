@@ -75,7 +75,7 @@ KEYS = {  # note -> its keys
 }
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(eq=False)
 class RunDiagram:
     """The diagram of a run in memory and its arguments, which copies share and pickles lose."""
 
