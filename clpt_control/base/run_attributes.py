@@ -7,6 +7,7 @@ attributes of its file, as JSON.  The diagram itself is in the `encoding` of a r
 
 import json
 from collections.abc import Mapping
+from dataclasses import dataclass
 from functools import cache
 from importlib.metadata import version
 from typing import TYPE_CHECKING, Any
@@ -74,12 +75,14 @@ KEYS = {  # note -> its keys
 }
 
 
+@dataclass(eq=False)
 class RunDiagram:
-    """Diagram and parameters of a run in memory, which copies share and pickles lose."""
+    """The diagram of a run in memory and its arguments, which copies share and pickles lose."""
 
-    def __init__(self, diagram: Any = None, params: Mapping[str, Any] | None = None):
-        self.diagram = diagram
-        self.params = params
+    diagram: Any = None
+    params: Mapping[str, Any] | None = None
+    request: Any = None  # times, inputs, start and options as they were read
+    numbers: Any = ()  # parameters of each block
 
     def __deepcopy__(self, memo: Any) -> "RunDiagram":
         return self

@@ -15,14 +15,7 @@ import control
 import numpy as np
 
 from ..base.errors import SimulationError
-from ..base.run_attributes import (
-    DIAGRAM,
-    LABELS,
-    MOST_BYTES,
-    OWN_PARTS,
-    REFERENCE,
-    RunDiagram,
-)
+from ..base.run_attributes import LABELS, MOST_BYTES, OWN_PARTS, REFERENCE
 from ..engine.diagram.block_numbers import call_names
 from ..engine.diagram.interconnection import with_stop
 from ..engine.diagram.wiring import (
@@ -165,7 +158,7 @@ class DiagramRun(SystemRun):
         varied: Sequence[str] = (),
     ):
         read_anew(diagram)
-        self.made_of = RunDiagram(diagram, params)
+        self.diagram = diagram
         self.loop: ClosedLoop | None = getattr(diagram, "origin", None)
         self.scenario = self.loop and self.loop.scenario
         wiring = wiring_of(diagram, params, sizes, self.complete)
@@ -206,15 +199,15 @@ class DiagramRun(SystemRun):
             sentence = unlike_controller(run, self.loop.scenario)
             run.attrs["message"] += sentence and f"; {sentence}"
         run.encoding[LABELS] = self.names
-        run.encoding[DIAGRAM] = self.made_of
         return run
 
     @cached_property
     def is_unchanged(self) -> bool:
         """True for a loop as `closed_loop` returned it, and for a diagram that is no such loop."""
         loop = self.loop
-        wiring = loop and wiring_of(self.made_of.diagram)
-        return loop is None or (not loop.external and loop.is_unchanged(wiring))
+        return loop is None or (
+            not loop.external and loop.is_unchanged(wiring_of(self.diagram))
+        )
 
     @property
     def beyond_scenario(self) -> dict[str, str]:

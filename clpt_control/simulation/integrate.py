@@ -11,7 +11,7 @@ import control
 import numpy as np
 
 from ..base.arguments import attribute_of, public
-from ..base.run_attributes import ARGUMENTS, BEYOND, TEAM
+from ..base.run_attributes import ARGUMENTS, BEYOND, DIAGRAM, TEAM, RunDiagram
 from ..engine.solver.runner import checked_method
 from .diagram_runs import DiagramRun
 from .requests import request_of, times_from_zero
@@ -152,6 +152,8 @@ def simulate(
 
         with cached_run(key, new_run) as run:
             data = run.dataset(*run.solve(request))
+            noted = request.diagram, params, request, run.runner.block_parameters
+            data.encoding[DIAGRAM] = RunDiagram(*noted)
             overrides = inputs, initial_state, stop, *solver.values()
             if not run.is_unchanged or any(value is not None for value in overrides):
                 data.attrs |= run.beyond_scenario

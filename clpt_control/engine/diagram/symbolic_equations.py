@@ -27,6 +27,7 @@ from ..record.guards import branches_of, guarded
 from ..record.symbolic import LONG, Symbols, extent, rational
 from ..record.unread import Unread
 from ..trace.arrays import Tape, operand
+from .block_numbers import Params
 from .merged_record import TapeRecord
 from .symbol_names import (
     TIME,
@@ -423,13 +424,15 @@ def on_symbols(
     hidden: Iterable[str] = (),
     watch: Watch = lambda owner, kind, arguments: None,
     with_samples: bool = False,
+    params: Params = None,
 ) -> Equations:
     """Return a diagram's equations as it is now; blocks named in `hidden` are undefined functions.
 
-    Functions that cannot be traced are refused, and sampled blocks unless `with_samples`.
+    `params` are those of a call.  Functions that cannot be traced are refused, and sampled blocks
+    unless `with_samples`.
     """
     read_anew(diagram)
-    wiring = wiring_of(diagram)
+    wiring = wiring_of(diagram, params)
     for node in wiring.nodes:
         if isinstance(node.system, Sampled) and not with_samples:
             raise DiagramError(

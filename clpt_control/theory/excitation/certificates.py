@@ -181,14 +181,12 @@ def refuse_uncertified(excitation: Any) -> None:
 def drop_of(excitation: Any) -> tuple[np.ndarray, np.ndarray]:
     """Return the drop of each axis over a window, and Phi, (axes, N, N)."""
     refuse_uncertified(excitation)
-    form, w, weights = excitation.form, excitation.w, excitation.weights
+    form, weights = excitation.form, excitation.weights
     if form:
-        m, n = form.W.shape
-        W = w.reshape(1, len(weights), -1, m, n)
-        scaled = form.left @ W @ form.right
-        return _drop_along(scaled, form.scaled_A[None], weights[:, ::m])
+        by_rows = weights[:, :: form.W.rows]
+        return _drop_along(excitation.scaled_W, form.scaled_A[None], by_rows)
     feedback = excitation.scenario.vehicle.feedback
-    return worst_drop(w, feedback, excitation.gains, weights)
+    return worst_drop(excitation.w, feedback, excitation.gains, weights)
 
 
 def _is_disturbed(excitation: Any) -> bool:
@@ -230,8 +228,8 @@ def certificate(excitation: Any) -> Certificate:
     drop, Phi = drop_of(exact)
     if np.any(settled > MAX_CHANGE * np.linalg.norm(Phi, 2, axis=(1, 2))):
         raise DataError(
-            "no certificate: W has too many jumps, or oscillates too fast, to be computed. Give a "
-            "shorter window"
+            "no certificate: W or e changes too fast in the window to be computed. Give a shorter "
+            "window"
         )
     drop = np.maximum(drop - settled * (2 + settled), 0)
     # Phi^windows from e = 0: its small singular values are the directions that are learned

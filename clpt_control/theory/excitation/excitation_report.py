@@ -68,7 +68,8 @@ def report_of(excitation: Any) -> dict[str, Any]:
     if Phi is not known.
 
     A recorded run has an ``accuracy``: the largest relative change of an eigenvalue if every
-    second sample is left out, which is above the error; None if the change is large.
+    second sample is left out; None if the change is large.  It does not show what changes between
+    the samples.
     A team has ``measured`` (description of the parameters), ``smallest`` (eigenvalues by name),
     and ``vehicles`` by name and ``team`` with ``eigenvalues``, ``dimension``, ``not_learnable``.
     """
@@ -146,7 +147,7 @@ def repeated_text(excitation: Any) -> str:
     but = ", but for what the disturbance adds" * found.disturbed
     return (
         f"the root of V halves at least every {half_life}, but for a factor {factor}, along this "
-        f"run repeated (errors of parameters, from e = 0: but for a factor {of_errors}){but}"
+        f"run repeated (errors of parameters, from e = 0: a factor {of_errors}){but}"
     )
 
 

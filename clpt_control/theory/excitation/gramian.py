@@ -24,7 +24,6 @@ import numpy as np
 from ...base.arguments import nearest, public
 from ...base.errors import ArgumentError, ClptError, DataError
 from ...base.html import fragment, paragraphs, table
-from ...base.run_attributes import ARGUMENTS
 from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.recorded_run import is_response, thinned
 from ...simulation.integrate import simulate
@@ -54,13 +53,11 @@ from .regressor import (
     span_of,
     system_of,
 )
+from .state_curves import SAME, samples_around
 
 NOT_LEARNABLE = 1e-9  # share of the largest eigenvalue
 TINY = np.finfo(float).tiny
 MAX_CHANGE = 0.1  # of an eigenvalue, up to which it estimates the error
-SAME = (
-    1e-4  # share of a position by which a recorded run may differ from its scenario's
-)
 MAX_FUNCTIONS = 100  # of a basis that `not_learned` measures
 
 
@@ -121,25 +118,21 @@ class Excitation(Regressor):
     @cached_property
     def exact(self) -> "Excitation":
         """The same of a recorded run's scenario, which is simulated again at the nodes."""
-        if (
-            self.scenario is None
-            or isinstance(self.source, Scenario)
-            or self.python_parts
-        ):
+        scenario, end = self.scenario, self.start + self.window
+        if scenario is None or isinstance(self.source, Scenario) or self.python_parts:
             return self
-        times = self.source.time.values
-        inside = (times >= self.start) & (times <= self.start + self.window)
-        again = simulate(self.scenario, times[inside])
-        for name in (POSITION, PREDICTED):
-            recorded = self.source[name].values[inside]
-            if not np.allclose(
-                again[name], recorded, SAME, SAME * np.abs(recorded).max()
-            ):
-                raise DataError(
-                    f"no certificate: {name} in the window is not that of the run's scenario. "
-                    "Give the scenario in place of the run"
-                )
-        return self.over(self.scenario, self.window, self.start, self.cuts)
+        run = samples_around(self.source, self.start, end)
+        again = simulate(scenario, run.time.values)
+        x, y = (np.hstack([one[POSITION], one[PREDICTED]]) for one in (run, again))
+        if not np.allclose(y, x, SAME, SAME * np.abs(x).max()):
+            raise DataError(
+                "no certificate: positions in the window are not those of the run's scenario. "
+                "Give the scenario in place of the run"
+            )
+        longer = {"run.duration": max(scenario.run.duration, end)}
+        return self.over(
+            scenario.with_values(longer), self.window, self.start, self.cuts
+        )
 
     @cached_property
     def accuracy(self) -> float | None:
@@ -273,11 +266,10 @@ class Excitation(Regressor):
 
         Of an error system they are those in the coordinates of V, whatever the units.
         """
-        values, form = self.without_noise.eigenvalues, self.form
-        if form:
-            left = np.kron(np.eye(len(self.weights[0]) // len(form.left)), form.left)
-            scaled = left @ self.w @ form.right
-            values = {"w": eigenvalues_of(scaled[0], self.weights)}
+        values = self.without_noise.eigenvalues
+        if self.form:
+            (scaled,) = self.scaled_W.reshape(self.w.shape)
+            values = {"w": eigenvalues_of(scaled, self.weights)}
         return {a: int(np.sum(v <= NOT_LEARNABLE * v[-1])) for a, v in values.items()}
 
 
@@ -315,8 +307,9 @@ def gramian(
         By default w = [phi(x), z_i, zc_i] of Eq. (31). Required for a diagram without `of`, where
         they are the states that are parameters, by default read from V'.
     of : Verdict, optional
-        A verdict of `lyapunov` on the diagram, whose errors have the form e' = A e + W th,
-        th' = -G W^T P e. The Gramian is that of W along the run, and `certificate()` works for it.
+        A verdict of `lyapunov`. By its V the errors of the diagram that ran, with the parameters
+        and inputs of the run, must have the form e' = A e + W th, th' = -G W^T P e. The Gramian is
+        that of W along the run, and `certificate()` works for it. A run from a file has no diagram.
     **options
         Arguments of `simulate`: `timepts`, `inputs`, `initial_state`, `params`.
 
@@ -346,8 +339,10 @@ def gramian(
 
     Notes
     -----
-    Gauss-Legendre quadrature integrates w of Eq. (31). The trapezoidal rule integrates `signals`
-    from sample to sample, so that the error falls with the square of the time between samples.
+    Gauss-Legendre quadrature integrates w of Eq. (31), and W of a verdict as a function of time,
+    along states of the diagram, which runs again between the samples. The trapezoidal rule
+    integrates `signals` from sample to sample, so that the error falls with the square of the time
+    between samples.
 
     Examples
     --------
@@ -363,17 +358,16 @@ def gramian(
     run: Any = source
     recorded = hasattr(run, "data_vars")
     w: Any = signals
-    if of is not None:
-        noted = run.encoding.get(ARGUMENTS, {}) if recorded else options
-        w = error_system_of(of, signals or (), noted.get("params"))
     for name in options if recorded else ():
         close = nearest(name, ("window", "start", "signals", "of"))
         cure = f"Did you mean '{close}'?" if close else "Leave it out"
         raise ArgumentError(
             f"gramian: {name}: a run has its own times and inputs. {cure}"
         )
-    if options or not (recorded or w is None):
+    if options or (not recorded and (signals, of) != (None, None)):
         run = simulate(run, **options)
+    if of is not None:
+        w = error_system_of(of, signals or (), run)
     if w is None and (
         isinstance(source, control.InputOutputSystem) or (recorded and is_response(run))
     ):

@@ -124,6 +124,12 @@ class Regressor:
     change: float = 0.0  # of the transition matrix, if pieces were divided further
 
     @property
+    def scaled_W(self) -> np.ndarray:
+        """W of an error system in coordinates of V, shape (1, pieces, nodes, m, n)."""
+        shape = 1, len(self.weights), -1, *self.form.W.shape
+        return self.form.left @ self.w.reshape(shape) @ self.form.right
+
+    @property
     def start(self) -> float:
         """Start of the window, units.time."""
         return float(self.cuts[0])
@@ -350,38 +356,35 @@ def signal_regressor(
     """Return signals of a run, or W, over a window, cut at its samples and at `edges`."""
     unit, times = run.time.attrs.get("units", ""), run.time.values
     window, start = checked_window(run, window, start, np.inf, unit)
-    end, ports = start + window, ports_along(run)
-    form = signals if isinstance(signals, ErrorSystem) else None
-    named = ports if form else signals
-    columns = {
-        label: column
-        for name in named
-        for port in ports
-        for label, column in signals_of(run[port]).items()
-        if name in (port, label)
-    }
-    unknown = {*named} - {*ports, *columns}
-    if unknown or not (form or columns):
-        raise ArgumentError(
-            f"gramian: signals = {[*unknown]}: must be signals of the run: {', '.join(ports)}. "
-            "run.clpt.table() has the names of single signals"
-        )
+    end = start + window
     trajectory = f"signals of a run, {run.sizes['time']} samples"
     cuts = np.unique(np.clip([*times, *edges, end], start, end))
     length = float(np.ptp(times))
-    if form:
-        W_at = form.along(run, columns, start, end)
-
-        def scaled(t: np.ndarray) -> np.ndarray:
-            return form.left @ W_at(t) @ form.right
-
-        cuts, w, change = settled(scaled, cuts, form.scaled_A)
+    if isinstance(signals, ErrorSystem):
+        form, (W_at, off) = signals, signals.along(run, start, end)
+        cuts, w, change = settled(W_at, cuts, form.scaled_A)
         W = np.linalg.solve(form.left, w) @ np.linalg.inv(form.right)
         weights = np.diff(cuts)[:, None] / 2 * gauss(FEW).weight
         by_nodes = trajectory, cuts, np.repeat(weights, len(form.left), axis=1)
         W = W.reshape(1, len(W), -1, W.shape[-1])
-        named = {"w": form.names}
-        return Regressor(named, unit, *by_nodes, W, length, form=form, change=change)
+        names = {"w": form.names}
+        return Regressor(
+            names, unit, *by_nodes, W, length, form=form, change=change + off
+        )
+    ports = ports_along(run)
+    columns = {
+        label: column
+        for name in signals
+        for port in ports
+        for label, column in signals_of(run[port]).items()
+        if name in (port, label)
+    }
+    unknown = {*signals} - {*ports, *columns}
+    if unknown or not columns:
+        raise ArgumentError(
+            f"gramian: signals = {[*unknown]}: must be signals of the run: {', '.join(ports)}. "
+            "run.clpt.table() has the names of single signals"
+        )
     along_run = np.transpose([*columns.values()])
     values = interp1d(times, along_run, axis=0)(np.minimum(cuts, times[-1]))
     if not np.isfinite(values).all():

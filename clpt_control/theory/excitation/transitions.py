@@ -25,7 +25,8 @@ SETTLED = 1e-10  # change of Phi by all pieces that are not divided
 JUMP = 1e-3  # of the largest W, by which it may differ at an end of a piece
 OUTSIDE = 0.02  # share of a piece before its first node
 DEEPEST = 22  # times that a piece is divided by four
-MOST = 100_000  # pieces
+LEAST, MOST = 500, 100_000  # pieces at once
+OfTime = Callable[[np.ndarray], np.ndarray]  # times (n,) -> W (n, m, n), states (n, nx)
 
 
 class Gauss(NamedTuple):
@@ -45,6 +46,10 @@ def gauss(nodes: int) -> Gauss:
     # integrals of P_j from -1 to each node, halved
     integrals = legendre.legval(node, legendre.legint(np.eye(nodes), lbnd=-1)).T
     return Gauss(node, weight, coefficients, integrals @ coefficients / 2)
+
+
+# values at the nodes of a piece -> those of the polynomial through them at its ends
+AT_ENDS = legendre.legvander(np.array([-1.0, 1.0]), FEW - 1) @ gauss(FEW).coefficients
 
 
 def steps_of(
@@ -85,52 +90,67 @@ def propagate(
     return E @ np.stack(starts, axis=-3), end
 
 
+class Pieces(NamedTuple):
+    """Pieces of time, W at their nodes, and their steps."""
+
+    begin: np.ndarray  # (pieces,)
+    end: np.ndarray
+    W: np.ndarray  # (pieces, nodes, m, n)
+    steps: np.ndarray  # (pieces, m + n, m + n)
+
+    def where(self, chosen: np.ndarray) -> "Pieces":
+        """Return some of the pieces."""
+        return Pieces(*(values[chosen] for values in self))
+
+    def divided(self, W_at: OfTime, A: np.ndarray, parts: int) -> "Pieces":
+        """Return equal parts of each piece, one after the other."""
+        edges = np.linspace(self.begin, self.end, parts + 1)
+        return pieces_of(W_at, A, edges[:-1].T.ravel(), edges[1:].T.ravel())
+
+    def off(self, quarters: "Pieces", W_at: OfTime) -> np.ndarray:
+        """Return the errors of steps: differences from their quarters, and jumps at the ends."""
+        one, two, three, four = (quarters.steps[k::4] for k in range(4))
+        product = four @ three @ two @ one
+        ends = W_at(np.append(self.begin, self.end)).reshape(2, *self.W[:, 0].shape)
+        beyond = np.abs(ends - np.einsum("ek,pkij->epij", AT_ENDS, self.W))
+        jump = beyond.max(axis=(0, 2, 3))
+        jump *= jump > JUMP * np.abs(self.W).max()
+        change = np.linalg.norm(self.steps - product, 2, axis=(1, 2))
+        return change + OUTSIDE * jump * (self.end - self.begin)
+
+
+def pieces_of(
+    W_at: OfTime, A: np.ndarray, begin: np.ndarray, end: np.ndarray
+) -> Pieces:
+    """Return pieces with W at their nodes."""
+    t = begin[:, None] + (end - begin)[:, None] * (1 + gauss(FEW).node) / 2
+    W = W_at(t.ravel())
+    W = W.reshape(*t.shape, *W.shape[1:])
+    return Pieces(begin, end, W, steps_of(W, A, end - begin)[1])
+
+
 def settled(
-    W_at: Callable[[np.ndarray], np.ndarray], cuts: np.ndarray, A: np.ndarray
+    W_at: OfTime, cuts: np.ndarray, A: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, float]:
     """Return cuts, W at the nodes (pieces, nodes, m, n), and by how much Phi may change.
 
     A piece is divided by four until its step is that of its quarters, and W at its ends that of
     the polynomial through its nodes.
     """
-    node, _, coefficients, _ = gauss(FEW)
-    at_ends = legendre.legvander(np.array([-1.0, 1.0]), FEW - 1) @ coefficients
-
-    def pieces(begin: np.ndarray, end: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        t = begin[:, None] + np.subtract(end, begin)[:, None] * (1 + node) / 2
-        W = W_at(t.ravel())
-        W = W.reshape(*t.shape, *W.shape[1:])
-        return W, steps_of(W, A, end - begin)[1]
-
-    begin, end = cuts[:-1], cuts[1:]
-    W, steps = pieces(begin, end)
-    least, change, kept = SETTLED / max(100, len(begin)), 0.0, []
+    pieces = pieces_of(W_at, A, cuts[:-1], cuts[1:])
+    pieces = pieces.divided(W_at, A, -(-LEAST // len(pieces.begin)))
+    least, kept, change = SETTLED / len(pieces.begin), list[Pieces](), 0.0
     for depth in range(DEEPEST + 1):
-        quarters = np.linspace(begin, end, 5)
-        finer = (*(quarters[k:][:4].T.ravel() for k in (0, 1)),)
-        finer_W, finer_steps = pieces(*finer)
-        one, two, three, four = (finer_steps[k::4] for k in range(4))
-        off = np.linalg.norm(steps - four @ three @ two @ one, 2, axis=(1, 2))
-        ends = W_at(np.append(begin, end)).reshape(2, len(begin), *W.shape[2:])
-        beyond = np.abs(ends - np.einsum("ek,pkij->epij", at_ends, W)).max(
-            axis=(0, 2, 3)
-        )
-        jumps = (beyond > JUMP * np.abs(W).max()) & (
-            OUTSIDE * beyond * (end - begin) > least
-        )
-        rough = (off > least) | jumps
-        if (
-            depth == DEEPEST
-            or len(begin) + 3 * rough.sum() + sum(len(k[0]) for k in kept) > MOST
-        ):
+        quarters = pieces.divided(W_at, A, 4)
+        off = pieces.off(quarters, W_at)
+        rough = off > least
+        if depth == DEEPEST or 4 * rough.sum() > MOST:
             rough[:] = False
-        change += off[~rough].sum()
-        kept.append((begin[~rough], W[~rough]))
+        kept.append(pieces.where(~rough))
+        change += float(off[~rough].sum())
         if not rough.any():
             break
-        into = np.repeat(rough, 4)
-        begin, end = (x[into] for x in finer)
-        W, steps = finer_W[into], finer_steps[into]
-    begin, W = (np.concatenate(x) for x in zip(*kept, strict=True))
+        pieces = quarters.where(np.repeat(rough, 4))
+    begin, _, W, _ = (np.concatenate(values) for values in zip(*kept, strict=True))
     order = np.argsort(begin)
-    return np.append(begin[order], cuts[-1]), W[order], float(change)
+    return np.append(begin[order], cuts[-1]), W[order], change
