@@ -147,8 +147,6 @@ def labelled(argument: str, value: Any, clock: Clock | None = None) -> Any:
 
     Samples are read by a clock; values are of one time without, and rows are then one vector.
     """
-    if is_plain(value):
-        return numbers(argument, value) if isinstance(value, list | tuple) else value
     if isinstance(value, control.TimeResponseData):
         return _signals_of(argument, value, clock)
     kind = getattr(attribute_of(value, "dtype"), "kind", "")

@@ -15,7 +15,7 @@ from ..base.run_attributes import ARGUMENTS, BEYOND, TEAM
 from ..engine.solver.runner import checked_method
 from .diagram_runs import DiagramRun
 from .requests import request_of, times_from_zero
-from .run_cache import cached_run, diagram_key
+from .run_cache import cached_run, diagram_key, keep_run
 
 if TYPE_CHECKING:
     import xarray
@@ -150,11 +150,12 @@ def simulate(
             with request.drawn_around():
                 return DiagramRun(*arguments, stop)
 
-        with cached_run(key, new_run) as run:
-            data = run.dataset(*run.solve(request))
-            overrides = inputs, initial_state, stop, *solver.values()
-            if not run.is_unchanged or any(value is not None for value in overrides):
-                data.attrs |= run.beyond_scenario
+        run = cached_run(key, new_run)
+        data = run.dataset(*run.solve(request))
+        overrides = inputs, initial_state, stop, *solver.values()
+        if not run.is_unchanged or any(value is not None for value in overrides):
+            data.attrs |= run.beyond_scenario
+        keep_run(key, run)
 
     if skipped:
         data = data.isel(time=slice(skipped, None))

@@ -1,5 +1,6 @@
 """Prepared runs of a scenario and of a team."""
 
+import os
 from collections.abc import Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -8,6 +9,7 @@ import numpy as np
 
 from ..base.errors import SimulationError
 from ..base.run_attributes import TEAM
+from ..engine.codegen.machine import ENGINE
 from ..engine.diagram.interconnection import wiring_of_blocks
 from ..engine.model.ports import bare_labels, split
 from ..engine.solver.inputs import NO_INPUTS
@@ -23,7 +25,7 @@ from .flows import faster_flow, speeds_of
 from .initial_states import state_of
 from .loop_blocks import paper_blocks
 from .loops import team_blocks
-from .run_cache import Key, cached_run
+from .run_cache import Key, cached_run, keep_run
 
 if TYPE_CHECKING:
     import xarray
@@ -152,9 +154,11 @@ def simulated(
     key = _scenario_key(system, *solver.values(), engine)
     system = _with_solver(system, solver)
     run_type: Any = TeamRun if isinstance(system, Team) else ScenarioRun
-    with cached_run(key, lambda: run_type(system, engine)) as run:
-        options = RunOptions.checked(0, times, **system.run.solver, **steps)
-        return run, run.dataset(*run.run(run.initial_state, times, NO_INPUTS, options))
+    run = cached_run(key, lambda: run_type(system, engine))
+    options = RunOptions.checked(0, times, **system.run.solver, **steps)
+    data = run.dataset(*run.run(run.initial_state, times, NO_INPUTS, options))
+    keep_run(key, run)
+    return run, data
 
 
 def _scenario_key(system: Scenario | Team, *options: Any) -> Key | None:
@@ -162,7 +166,7 @@ def _scenario_key(system: Scenario | Team, *options: Any) -> Key | None:
     scenarios = system.members.values() if isinstance(system, Team) else [system]
     if any(scenario.field_path is not None for scenario in scenarios):
         return None
-    return (id(system), *options), system
+    return (id(system), *options, os.environ.get(ENGINE)), system
 
 
 def _with_solver(system: Any, solver: Mapping[str, Any]) -> Any:
