@@ -27,6 +27,7 @@ from ..engine.codegen.directional_derivatives import (
     is_remade,
     place_of,
     places_of,
+    put,
     value_at,
     with_values,
 )
@@ -344,13 +345,14 @@ class VariedDiagram:
     def made_with(self, values: Values) -> "VariedDiagram":
         """Return the diagram whose blocks are made anew with values that functions read."""
         made = copy(self)
-        made.parameters = [*self.member(values)[0]]
-        fields = {field for key in values for field in self.locations[key].fields}
+        made.parameters = list(self.parameters)
         nodes = list(self.wiring.nodes)
-        for k, name in fields:
-            value = {name: getattr(made.parameters[k], name)}
-            system = nodes[k].system.having(value, complete=False)
-            nodes[k] = replace(nodes[k], system=system)
+        for key, value in values.items():
+            put(self.locations[key], value, made.parameters, self.start)
+            for k, name in self.locations[key].fields:
+                number = {name: getattr(made.parameters[k], name)}
+                system = nodes[k].system.having(number, complete=False)
+                nodes[k] = replace(nodes[k], system=system)
         made.wiring = replace(self.wiring, nodes=tuple(nodes))
         return made
 

@@ -30,7 +30,7 @@ Key = tuple[Any, Any]  # the key, and the objects whose identities are in the ke
 
 def cached_run(key: Key | None, make: Callable[[], Any]) -> Any:
     """Return the cached run of a key, or a new one; no other caller has it until `keep_run`."""
-    cached = _CACHE.pop(key[0], None) if key else None
+    cached = key and _CACHE.pop((key[0], os.environ.get(ENGINE)), None)
     return cached[1] if cached else make()
 
 
@@ -41,14 +41,14 @@ def keep_run(key: Key | None, run: Any) -> None:
     """
     if key and run.runner.engine == "native":
         # the objects stay alive as long as their identities are in the cache
-        _CACHE[key[0]] = key, run
+        _CACHE[key[0], os.environ.get(ENGINE)] = key, run
         if len(_CACHE) > MAX_RUNS:
             _CACHE.pop(next(iter(_CACHE)), None)
 
 
 def diagram_key(diagram: Any, params: Params, *options: Any) -> Key | None:
     """Return the key of a diagram's run; None if the diagram could change unnoticed."""
-    numbers = [tuple((params or {}).items()), options, os.environ.get(ENGINE)]
+    numbers = [tuple((params or {}).items()), options]
     functions: list[Any] = []
     try:
         names = _identity(diagram, numbers, functions)

@@ -1,6 +1,5 @@
 """Prepared runs of a scenario and of a team."""
 
-import os
 from collections.abc import Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -9,7 +8,6 @@ import numpy as np
 
 from ..base.errors import SimulationError
 from ..base.run_attributes import TEAM
-from ..engine.codegen.machine import ENGINE
 from ..engine.diagram.interconnection import wiring_of_blocks
 from ..engine.model.ports import bare_labels, split
 from ..engine.solver.inputs import NO_INPUTS
@@ -166,7 +164,7 @@ def _scenario_key(system: Scenario | Team, *options: Any) -> Key | None:
     scenarios = system.members.values() if isinstance(system, Team) else [system]
     if any(scenario.field_path is not None for scenario in scenarios):
         return None
-    return (id(system), *options, os.environ.get(ENGINE)), system
+    return (id(system), *options), system
 
 
 def _with_solver(system: Any, solver: Mapping[str, Any]) -> Any:

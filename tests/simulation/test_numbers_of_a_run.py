@@ -7,6 +7,9 @@ diagram's, the call's; the last has priority.  Every verb has the same numbers.
 import control
 import numpy as np
 import pytest
+from sympy.core.function import AppliedUndef
+from test_export import InC, needs_cc
+from test_fmu import Importer
 
 import clpt_control as clpt
 from clpt_control import parts
@@ -14,6 +17,12 @@ from clpt_control import parts
 TIMES = np.linspace(0.0, 2.0, 9)
 START = [0.4, -0.3]
 NAMES = "lag.gain", "lag.lag", "k"
+COMPILED = "as_of_compiled_c", "as_of_fmu"
+QUICK = 2  # cases that `make test` runs
+CASES = [
+    *range(QUICK),
+    *(pytest.param(k, marks=pytest.mark.long) for k in range(QUICK, 200)),
+]
 
 
 def rates(t, x, u, p):
@@ -74,34 +83,37 @@ def expected(numbers, start=START, r=1.0):
     ).outputs.T
 
 
-@pytest.mark.parametrize("case", range(200))
-def test_runs_have_the_numbers_of_python_control(case):
-    generator = np.random.default_rng(case)
-    own, inner, outer, call = drawn(generator)
-    system = nested(own, inner, outer, connect=case % 2)
-    numbers = own | inner | outer | call
-    right = expected(numbers)
-    if case < 40:
-        np.testing.assert_allclose(by_control(system, call), right, atol=1e-6)
+def as_of_python_control(system, call, numbers, folder):
+    return by_control(system, call)
+
+
+def as_of_simulate(system, call, numbers, folder):
     run = clpt.simulate(system, TIMES, 1.0, START, call)
-    np.testing.assert_allclose(np.transpose([run.v, run.z]), right, atol=1e-7)
+    return np.transpose([run.v, run.z])
+
+
+def as_of_prepare(system, call, numbers, folder):
+    """Return a prepared run, after one with other numbers."""
     prepared = clpt.prepare(system, TIMES, 1.0, START, call)
-    np.testing.assert_allclose(prepared().states, right, atol=1e-7)
     changed = {name: 1.5 * value for name, value in call.items()}
-    np.testing.assert_allclose(
-        prepared(params=changed).states, expected(numbers | changed), atol=1e-7
-    )
+    right = expected(numbers | changed)
+    np.testing.assert_allclose(prepared(params=changed).states, right, atol=1e-6)
+    return prepared().states
 
 
-def as_of_members(system, call):
+def as_of_members(system, call, numbers, folder):
+    """Return a member; another has another input and another k."""
+    vary = {"r": [1.0, 2.0], "k": [numbers["k"], 0.7]}
     members = clpt.run_ensemble(
-        system, {"r": [1.0, 2.0]}, timepts=TIMES, initial_state=START, params=call,
-        trajectories=True,
-    )  # fmt: skip
+        system, vary, timepts=TIMES, initial_state=START, params=call, trajectories=True
+    )
+    last = np.transpose([members.v.values[-1], members.z.values[-1]])
+    right = expected(numbers | {"k": 0.7}, r=2.0)
+    np.testing.assert_allclose(last, right, atol=1e-6)
     return np.transpose([members.v.values[0], members.z.values[0]])
 
 
-def as_of_sensitivity(system, call):
+def as_of_sensitivity(system, call, numbers, folder):
     """Return states as the sum of their derivatives times the start, and of a run from rest."""
     run = clpt.sensitivity(
         system, TIMES, inputs=1.0, initial_state=START, params=call, to="x0"
@@ -111,36 +123,84 @@ def as_of_sensitivity(system, call):
     return homogeneous + particular
 
 
-def as_of_enclosure(system, call):
+def as_of_fit(system, call, numbers, folder):
+    """Return the run with the k that was found, of data with 1.3 times k."""
+    data = expected(numbers | {"k": 1.3 * numbers["k"]})
+    begin = {"k": numbers["k"]}
+    fit = clpt.fit_parameters(
+        system,
+        {"v": data[:, 0], "z": data[:, 1]},
+        begin,
+        TIMES,
+        1.0,
+        START,
+        params=call,
+    )
+    return expected(numbers | {"k": fit.values["k"] / 1.3})
+
+
+def as_of_enclosure(system, call, numbers, folder):
     tube = clpt.enclose(system, TIMES, 1.0, START, call)
     np.testing.assert_allclose(tube.upper, tube.lower, atol=1e-9)
     return tube.lower.values[:, :2]
 
 
-def as_of_linearization(system, call):
+def as_of_linearization(system, call, numbers, folder):
     linear = clpt.linearize(system, [0.0, 0.0], [0.0], params=call)
     u = np.ones(len(TIMES))
     return control.forced_response(linear, TIMES, u, START).states.T
 
 
-VERBS = {
-    function.__name__: function
-    for function in (
-        as_of_members,
-        as_of_sensitivity,
-        as_of_enclosure,
-        as_of_linearization,
-    )
-}
+def as_of_equations(system, call, numbers, folder):
+    """Return the run of the printed rates, for the diagram with the numbers of the call."""
+    system.params = {**system.params, **call}
+    rates = clpt.equations(system, numbers=True).rates
+
+    def rates_at(v, x, r):
+        values = {"v": v, "x": x, "r(t)": r}
+        found = []
+        for (rate,) in (rates["v"], rates["x"]):
+            atoms = rate.free_symbols | rate.atoms(AppliedUndef)
+            atoms = {atom: values[str(atom)] for atom in atoms if str(atom) in values}
+            found.append(float(rate.xreplace(atoms)))
+        return found
+
+    matrix = np.transpose([rates_at(*row) for row in np.eye(3).tolist()])
+    plant = control.ss(matrix[:, :2], matrix[:, 2:], np.eye(2), 0)
+    return control.forced_response(plant, TIMES, np.ones(len(TIMES)), START).states.T
 
 
-@pytest.mark.parametrize("verb", VERBS.values(), ids=VERBS)
-@pytest.mark.parametrize("case", range(6))
-def test_every_verb_has_these_numbers(verb, case):
-    own, inner, outer, call = drawn(np.random.default_rng(1000 + case))
+def as_of_compiled_c(system, call, numbers, folder):
+    made = InC(system, folder, initial_state=START, params=call)
+    h = TIMES[1] / 50
+    steps = h * np.arange(50 * (len(TIMES) - 1) + 1)
+    return made.run(np.array(START), np.ones(1), h, steps)[::50]
+
+
+def as_of_fmu(system, call, numbers, folder):
+    """Return the run until the end, whose last row an importer computes."""
+    clpt.export(system, folder / "made.fmu", START, params=call)
+    found = Importer(folder / "made.fmu", folder)
+    following = found.initialize(r=1.0)
+    end = found.run(TIMES[-1], following, 5e-3)
+    return np.vstack([expected(numbers)[:-1], end])
+
+
+VERBS = [
+    pytest.param(function, marks=[needs_cc] * (name in COMPILED), id=name)
+    for name, function in list(globals().items())
+    if name.startswith("as_of_")
+]
+
+
+@pytest.mark.parametrize("verb", VERBS)
+@pytest.mark.parametrize("case", CASES)
+def test_every_verb_has_the_numbers_of_python_control(case, verb, tmp_path):
+    own, inner, outer, call = drawn(np.random.default_rng(case))
     system = nested(own, inner, outer, connect=case % 2)
-    right = expected(own | inner | outer | call)
-    np.testing.assert_allclose(verb(system, call), right, atol=1e-6)
+    numbers = own | inner | outer | call
+    found = verb(system, call, numbers, tmp_path)
+    np.testing.assert_allclose(found, expected(numbers), atol=1e-6)
 
 
 @pytest.mark.parametrize("connect", [False, True])
