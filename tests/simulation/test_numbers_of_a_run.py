@@ -7,6 +7,7 @@ diagram's, the call's; the last has priority.  Every verb has the same numbers.
 import control
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 from sympy.core.function import AppliedUndef
 from test_export import InC, needs_cc
 from test_fmu import Importer
@@ -269,3 +270,146 @@ def test_members_with_one_mode_share_a_block_made_anew():
                 drop=True,
             )
             np.testing.assert_allclose(row.h.values.ravel(), run.h.values, atol=1e-7)
+
+
+def test_rules_of_a_block_that_does_not_vary_hold_in_every_verb():
+    limit = parts.saturation(-1.0, 1.0, name="limit", u="r", y="v")
+    system = clpt.connect([limit, parts.lag(1.0, u="v", y="z")], "r")
+    wrong = {"limit.low": 5.0}
+    for call in (
+        lambda: clpt.run_ensemble(
+            system, {"lag.gain": [1.0, 2.0]}, timepts=TIMES, params=wrong
+        ),
+        lambda: clpt.sensitivity(system, TIMES, to="lag.gain", params=wrong),
+        lambda: clpt.fit_parameters(
+            system, {"z": TIMES}, {"lag.gain": 1.0}, TIMES, 1.0, params=wrong
+        ),
+    ):
+        with pytest.raises(clpt.ClptError, match=r"low = 5\.0: must be below high"):
+            call()
+
+
+AT, VALUES = [-1.0, 0.0, 0.5, 1.0, 2.0], [0.0, 1.0, 0.5, 2.0, -1.0]
+
+
+def pieces(at, x0=-0.5):
+    """Return x at TIMES for x' = 0.3 - x + table(x), by SciPy from kink to kink."""
+    rate = lambda t, x: 0.3 - x + np.interp(x, at, VALUES)  # noqa: E731
+    kinks = [lambda t, x, k=k: x[0] - k for k in at]
+    for kink in kinks:
+        kink.terminal = True
+    found, t, x = [x0], 0.0, np.array([x0])
+    for until in TIMES[1:]:
+        while t < until:
+            run = solve_ivp(rate, (t, until), x, rtol=1e-11, atol=1e-12, events=kinks)
+            t, x = run.t[-1], run.y[:, -1]
+            if t < until:  # over the kink
+                x = x + 1e-12 * rate(t, x)
+        found.append(x[0])
+    return np.array(found)
+
+
+def table_in_a_loop(kind):
+    if kind == "nlsys":
+        return control.nlsys(
+            lambda t, x, u, p: [u[0] - x[0] + np.interp(x[0], p["at"], p["v"])],
+            None,
+            inputs="r",
+            states=["x"],
+            outputs=["x"],
+            params={"at": np.array(AT), "v": np.array(VALUES)},
+        ), "at"
+    table = parts.lookup_table(AT, VALUES, name="table", u="x", y="w")
+    sum_of = clpt.Block(
+        "sum", output=lambda t, x, u, p: u.r + u.w, inputs={"r": 1, "w": 1}, outputs={"e": 1}
+    )  # fmt: skip
+    return clpt.connect([table, sum_of, parts.lag(1.0, u="e", y="x")], "r"), "table.at"
+
+
+@pytest.mark.parametrize("kind", ["part", "nlsys"])
+def test_points_of_a_table_vary_as_other_numbers(kind):
+    system, at = table_in_a_loop(kind)
+    levels = [-0.4, 0.1, 0.3]
+    right = [pieces([-1.0, level, *AT[2:]]) for level in levels]
+    members = clpt.run_ensemble(
+        system, {f"{at}[1]": levels}, timepts=TIMES, inputs=0.3, initial_state=[-0.5],
+        trajectories=True,
+    )  # fmt: skip
+    np.testing.assert_allclose(members.x.values, right, atol=1e-6)
+    whole = np.array([-1.0, 0.1, *AT[2:]])
+    prepared = clpt.prepare(system, TIMES, 0.3, [-0.5], {at: np.array(AT)})
+    found = prepared(params={at: whole}).states[:, 0]
+    np.testing.assert_allclose(found, right[1], atol=1e-6)
+    fit = clpt.fit_parameters(
+        system, {"x": right[1]}, {f"{at}[1]": 0.05}, TIMES, 0.3, [-0.5]
+    )
+    assert fit.values[f"{at}[1]"] == pytest.approx(0.1, abs=1e-6)
+    h = 1e-4
+    slope = clpt.sensitivity(
+        system,
+        TIMES,
+        to=f"{at}[1]",
+        inputs=0.3,
+        initial_state=[-0.5],
+        params={at: whole},
+    ).x.values[:, 0]
+    below, above = (pieces([-1.0, 0.1 + change, *AT[2:]]) for change in (-h, h))
+    np.testing.assert_allclose(slope, (above - below) / (2 * h), atol=2e-3)
+
+
+def test_points_that_do_not_increase_are_refused_in_a_sweep():
+    system, at = table_in_a_loop("part")
+    with pytest.raises(clpt.ClptError, match=r"member 1.*increasing numbers"):
+        clpt.run_ensemble(system, {f"{at}[1]": [0.0, 0.7]}, timepts=TIMES)
+
+
+PLANT = control.nlsys(
+    lambda t, x, u, p: [u[0] - p["k"] * x[0]],
+    None,
+    inputs=["u"],
+    states=["y"],
+    outputs=["y"],
+    params={"k": 1.0},
+    name="plant",
+)
+
+
+def of_the_plant(k):
+    """Return the plant with a k of its own, in a diagram, and in one whose params have it."""
+    own = control.nlsys(
+        PLANT.updfcn, None, inputs=["u"], states=["y"], outputs=["y"], params={"k": k}
+    )
+    around = control.interconnect(
+        [PLANT], inplist=["plant.u"], inputs=["u"], outlist=["plant.y"], outputs=["y"],
+        params={"k": k},
+    )  # fmt: skip
+    return own, around
+
+
+@pytest.mark.parametrize("k", [1 + 2j, 1 + 0j, np.complex64(1j), np.array([1j]), [1j]])
+def test_complex_params_are_refused_in_every_verb(k):
+    u, x = 1.0, [1.0]
+    verbs = {
+        "simulate": lambda s, p: clpt.simulate(s, TIMES, u, x, p),
+        "prepare": lambda s, p: clpt.prepare(s, TIMES, u, x, p),
+        "linearize": lambda s, p: clpt.linearize(s, x, [u], params=p),
+        "sensitivity": lambda s, p: clpt.sensitivity(
+            s, TIMES, inputs=u, initial_state=x, params=p
+        ),
+        "enclose": lambda s, p: clpt.enclose(s, TIMES, u, x, p),
+        "ensemble": lambda s, p: clpt.run_ensemble(
+            s, {"y": [1.0, 2.0]}, timepts=TIMES, params=p
+        ),
+    }
+    for verb in verbs.values():
+        for system, params in [
+            (PLANT, {"k": k}),
+            *((s, None) for s in of_the_plant(k)),
+        ]:
+            with pytest.raises(clpt.ClptError, match=r"k = .*must be a number"):
+                verb(system, params)
+    with pytest.raises(clpt.ClptError, match="vary: k = "):
+        clpt.run_ensemble(PLANT, {"k": [1.0, np.ravel(k)[0]]}, timepts=TIMES)
+    prepared = clpt.prepare(PLANT, TIMES, u, x, {"k": 1.0})
+    with pytest.raises(clpt.ClptError, match=r"params\['k'\]"):
+        prepared(params={"k": k})

@@ -207,12 +207,7 @@ def read_as_number(block: Block, field: str) -> str | None:
 
 def is_remade(wiring: Wiring, fields: Iterable[tuple[int, str]]) -> bool:
     """Return whether blocks are made anew for other values of fields: modes and counts."""
-    blocks = ((wiring.nodes[k].system, field) for k, field in fields)
-    return any(
-        isinstance(getattr(block.parameters, field), int)
-        or read_as_number(block, field)
-        for block, field in blocks
-    )
+    return any(read_as_number(wiring.nodes[k].system, field) for k, field in fields)
 
 
 def may_jump(block: Block) -> bool:

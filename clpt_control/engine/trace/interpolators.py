@@ -17,7 +17,7 @@ import numpy as np
 
 from ...base.arguments import brief, public
 from ...base.errors import ArgumentError
-from ..record.graph import picked
+from ..record.graph import picked, reached
 from ..record.unread import Unread
 from .arrays import Array, Tape, numbers_of, operand
 from .elementwise import boxed, lifted, where
@@ -142,8 +142,7 @@ def _outside(values: Any, x: Any, points: np.ndarray, below: Any, above: Any) ->
 
 def interpolated(x, xp, fp, left=None, right=None, period=None):
     """Return np.interp(x, xp, fp); its constant ends are two more straight lines."""
-    numbers = numbers_of(fp) if isinstance(fp, Array) else np.asarray(fp, dtype=float)
-    values = fp if numbers is None else numbers
+    xp, values = _with_numbers(xp), _with_numbers(fp)
     if period is not None:
         xp = np.asarray(xp, dtype=float) % period
         order = np.argsort(xp)
@@ -152,7 +151,7 @@ def interpolated(x, xp, fp, left=None, right=None, period=None):
         x = np.remainder(x, period)
         xp = np.concatenate([xp[-1:] - period, xp, xp[:1] + period])
         values = np.concatenate([values[-1:], values, values[:1]])
-    if not isinstance(xp, Array) or not isinstance(x, Array) or _is_time(x):
+    if not (isinstance(xp, Array) and isinstance(x, Array) and _may_vary(xp, x)):
         xp = _increasing(xp, "np.interp")
     slopes = _slopes(xp, values)
     are_numbers = not isinstance(xp, Array) and not isinstance(values, Array)
@@ -165,9 +164,20 @@ def interpolated(x, xp, fp, left=None, right=None, period=None):
     return _outside(value, x, xp, None, right)
 
 
-def _is_time(x: Array) -> bool:
-    """Return whether a signal is time: the integrator stops at points that are numbers."""
-    return x._tape.operations[operand(x)].at == ("t", "t")
+def _with_numbers(array: Any) -> Any:
+    """Return a constant array as numbers, signals as they are."""
+    if not isinstance(array, Array):
+        return np.asarray(array, dtype=float)
+    numbers = numbers_of(array)
+    return array if numbers is None else numbers
+
+
+def _may_vary(points: Array, x: Array) -> bool:
+    """Return whether points are parameters, and x is more than time, which stops at numbers."""
+    tape = x._tape
+    lines = [tape.operations[k] for k in reached(tape.operations, [operand(x)])]
+    groups = {line.at[0] for line in lines if line.kind == "leaf"}
+    return not tape.free[operand(points)] and not groups.isdisjoint("xu")
 
 
 # --- SciPy's interpolators -----------------------------------------------------------------------
