@@ -118,11 +118,10 @@ def request_of(
     default_state = own_arguments.pop("initial_state", None)
     # 2. times
     times, skipped, steps = timepts, 0, None
-    if clock is None:
-        at, signals, clock = signals_of(diagram, timepts, inputs)
-        times = None if timepts is None else distinct_times(at)
-    else:
-        at, signals, _ = signals_of(diagram, timepts, inputs, clock)
+    has_clock = clock is not None
+    at, signals, clock = signals_of(diagram, timepts, inputs, clock)
+    if timepts is not None and not has_clock:
+        times = distinct_times(at)
     if loop is not None and (timepts is None or inputs is initial_state is None):
         times, skipped = times_from_zero(loop.scenario, times)
     if times is None:
