@@ -138,6 +138,7 @@ def simulate(
 
     if not isinstance(system, control.InputOutputSystem):
         run, data = simulated(system, times, engine, solver, steps)
+        samples = np.size(timepts)
     else:
         request = request_of(
             system, timepts, inputs, initial_state, multiples=True, **solver, **steps
@@ -152,14 +153,16 @@ def simulate(
 
         run = cached_run(key, new_run)
         data = run.dataset(*run.solve(request))
-        overrides = inputs, initial_state, stop, *solver.values()
-        if not run.is_unchanged or any(value is not None for value in overrides):
-            data.attrs |= run.beyond_scenario
+        if run.loop is not None:
+            overrides = inputs, initial_state, stop, *solver.values()
+            if not run.is_unchanged or any(value is not None for value in overrides):
+                data.attrs |= run.beyond_scenario
         keep_run(key, run)
+        samples = len(request.at)
 
     if skipped:
         data = data.isel(time=slice(skipped, None))
-    if np.size(unrecorded["timepts"]) == 2:
+    if samples == 2:
         data.attrs["message"] += "; two samples, for more see np.linspace"
     _note_arguments(data, unrecorded, {**solver, "params": params or None})
     if run.max_speed is not None and {"commanded_velocity", "true_flow"} <= set(data):
