@@ -20,7 +20,7 @@ from typing import Any, NamedTuple
 import control
 import numpy as np
 
-from .arguments import attribute_of, check_known, finite, has, is_plain, numbers
+from .arguments import attribute_of, check_known, finite, has, numbers
 from .errors import ArgumentError, SimulationError
 from .units import SECONDS, short_unit
 
@@ -55,24 +55,19 @@ class Clock:
     """
 
     def __init__(self, timepts: Any, unit: str | None):
-        self.unit, self.has_zero = unit or "s", False
-        self.zero: Any = None  # the date of t = 0; 0 if times are numbers
-        if not is_plain(timepts):
-            timepts = self._numbered(attribute_of(timepts, "t", timepts), unit)
-        self.at = np.atleast_1d(finite("timepts", timepts))
-
-    def _numbered(self, timepts: Any, unit: str | None) -> Any:
-        """Return times given with a unit, or as dates, as numbers."""
+        timepts = attribute_of(timepts, "t", timepts)  # of a response
         kinds = {*map(type, timepts)} if isinstance(timepts, list | tuple) else ()
         if kinds and all(issubclass(kind, date | np.datetime64) for kind in kinds):
             timepts = np.array(timepts, "M8")
         timepts_unit = short_unit(unit_of(timepts))
         self.unit = unit or (timepts_unit if timepts_unit in SECONDS else "s")
         self.check_unit("timepts", timepts_unit)
+        self.zero: Any = None  # the date of t = 0; 0 if times are numbers
         labels = np.atleast_1d(timepts if has(timepts, "dtype") else 0)
         self.has_zero = labels.dtype.kind == "M"
-        is_time = labels.size and labels.dtype.kind in "mM"
-        return self.numbers("timepts", labels) if is_time else timepts
+        if labels.size and labels.dtype.kind in "mM":
+            timepts = self.numbers("timepts", labels)
+        self.at = np.atleast_1d(finite("timepts", timepts))
 
     def numbers(self, argument: str, labels: np.ndarray) -> np.ndarray:
         """Return times as numbers."""
@@ -147,8 +142,6 @@ def labelled(argument: str, value: Any, clock: Clock | None = None) -> Any:
 
     Samples are read by a clock; values are of one time without, and rows are then one vector.
     """
-    if is_plain(value):
-        return numbers(argument, value) if isinstance(value, list | tuple) else value
     if isinstance(value, control.TimeResponseData):
         return _signals_of(argument, value, clock)
     kind = getattr(attribute_of(value, "dtype"), "kind", "")

@@ -103,6 +103,8 @@ def _of_item(key: str, values: Any) -> Vary:
             levels = (
                 np.asarray(values) if np.ndim(values) == 1 else unlabelled(key, values)
             )
+            if np.iscomplexobj(levels):
+                raise TypeError
             levels = levels.astype(str if levels.dtype.kind == "U" else float).tolist()
             text = f"{key}={json.dumps(levels)}"
             return Vary(key, "levels", tuple(levels), text, unit_of(values))

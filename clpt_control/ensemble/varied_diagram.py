@@ -24,15 +24,15 @@ from ..base.arguments import brief, finite
 from ..base.errors import ClptError, DiagramError, ScenarioError, SimulationError
 from ..engine.codegen.directional_derivatives import (
     Place,
+    is_remade,
     place_of,
     places_of,
     put,
-    read_as_number,
     value_at,
+    with_values,
 )
 from ..engine.diagram.block_numbers import PARAMETER_HINTS, Params
 from ..engine.diagram.wiring import read_anew, state_units, units_of, wiring_of
-from ..engine.model.declaration import check_rules
 from ..engine.model.ports import ports_of
 from ..engine.model.system import System
 from ..engine.record.unread import Unread, line_of
@@ -273,15 +273,11 @@ class VariedDiagram:
         """Refuse members with parameters that the rules of their blocks do not allow."""
         varied = {k for key in values for k, _ in self.locations[key].fields}
         ruled = [k for k in varied if self.wiring.nodes[k].system.rules]
-        for m in range(len(next(iter(values.values()))) if ruled else 0):
-            parameters, start = list(self.parameters), self.start.copy()
-            for key in values:
-                put(self.locations[key], values[key][m], parameters, start)
-            for k in ruled:
-                try:
-                    check_rules(self.wiring.nodes[k].system, parameters[k])
-                except ClptError as error:
-                    raise ScenarioError(f"vary: member {m}: {error}") from None
+        for m in range(len(next(iter(values.values()))) if ruled else 1):
+            try:
+                self.member({key: column[m] for key, column in values.items()})
+            except ClptError as error:
+                raise ScenarioError(f"vary: member {m}: {error}") from None
 
     def units(self, key: str) -> dict[str, str]:
         """Return the unit of an input, a state or a parameter as an attribute, if known."""
@@ -338,38 +334,34 @@ class VariedDiagram:
 
     def remade(self, keys: Sequence[str]) -> list[str]:
         """Return the keys of values that functions read as numbers, such as modes and counts."""
-        nodes, locations = self.wiring.nodes, self.locations
         with suppress(Unread):
             return [
                 key
                 for key in keys
-                if any(
-                    read_as_number(nodes[k].system, field)
-                    for k, field in locations[key].fields
-                )
+                if is_remade(self.wiring, self.locations[key].fields)
             ]
         return []
 
     def made_with(self, values: Values) -> "VariedDiagram":
         """Return the diagram whose blocks are made anew with values that functions read."""
         made = copy(self)
-        made.parameters = [*self.member(values)[0]]
-        fields = {field for key in values for field in self.locations[key].fields}
+        made.parameters = list(self.parameters)
         nodes = list(self.wiring.nodes)
-        for k, name in fields:
-            value = {name: getattr(made.parameters[k], name)}
-            system = nodes[k].system.having(value, complete=False)
-            nodes[k] = replace(nodes[k], system=system)
+        for key, value in values.items():
+            put(self.locations[key], value, made.parameters, self.start)
+            for k, name in self.locations[key].fields:
+                number = {name: getattr(made.parameters[k], name)}
+                system = nodes[k].system.having(number, complete=False)
+                nodes[k] = replace(nodes[k], system=system)
         made.wiring = replace(self.wiring, nodes=tuple(nodes))
         return made
 
     def member(self, values: Values) -> Member:
         """Return the member with these values."""
-        parameters = list(self.parameters)
-        start, inputs = self.start.copy(), self.inputs
-        for key, value in values.items():
-            location = self.locations[key]
-            put(location, value, parameters, start)
+        at = [(self.locations[key], value) for key, value in values.items()]
+        parameters, start = with_values(self.wiring, self.parameters, self.start, at)
+        inputs = self.inputs
+        for location, value in at:
             if location.inputs:
                 times, u = inputs.samples
                 u = u.copy()

@@ -5,7 +5,7 @@ The runs of one system share a template, which is filled with the signals of eac
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache, lru_cache
 from platform import python_version
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -80,7 +80,7 @@ class DatasetTemplate:
         """Return a Dataset of a run's signals and states, with attributes of its own."""
         attributes = {
             **self.attributes,
-            "software": f"Python {python_version()}, {versions(*PACKAGES)}",
+            "software": software(),
             "status": solution.status,
             "message": solution.message,
             "engine": solution.engine,
@@ -88,11 +88,10 @@ class DatasetTemplate:
         }
         for name, value in solution.statistics.items():
             attributes[f"solver_{name}"] = value
-        if attributes["message"] == COMPLETED:
-            unit = (self.time_attributes or {}).get("units", "")
-            attributes["message"] += f" (t = {solution.t[-1]:g} {unit})".replace(
-                " )", ")"
-            )
+        if solution.message == COMPLETED:
+            unit = (self.time_attributes or {}).get("units")
+            end = f"{solution.t[-1]:g} {unit}" if unit else f"{solution.t[-1]:g}"
+            attributes["message"] += f" (t = {end})"
         if self.note:
             attributes["message"] += f"; {self.note}"
         run = self.dataset(solution.t, signals, solution.x, attributes)
@@ -128,7 +127,7 @@ class DatasetTemplate:
             parts = axis._dims, axis._data, axis._attrs or {}
             variables[name] = variable_of(type(axis), *parts)
         indexes = {name: index for name, (index, _) in axes.items()}
-        sizes = {name: axis.size for name, (_, axis) in axes.items()}
+        sizes = {name: len(index.index) for name, index in indexes.items()}
         return Dataset._construct_direct(
             variables, set(axes), sizes, attributes, indexes, {}
         )
@@ -139,6 +138,12 @@ class DatasetTemplate:
             index = index_of("time", times.copy(), self.time_attributes)
             self._cached_time = times.tobytes(), index
         return index
+
+
+@cache
+def software() -> str:
+    """Return the versions of Python and of the packages that compute a run."""
+    return f"Python {python_version()}, {versions(*PACKAGES)}"
 
 
 def variable_of(

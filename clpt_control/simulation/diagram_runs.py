@@ -203,23 +203,16 @@ class DiagramRun(SystemRun):
 
     @cached_property
     def is_unchanged(self) -> bool:
-        """True for a loop as `closed_loop` returned it, and for a diagram that is no such loop."""
-        loop = self.loop
-        return loop is None or (
-            not loop.external and loop.is_unchanged(wiring_of(self.diagram))
-        )
+        """True for a loop as `closed_loop` returned it."""
+        loop: Any = self.loop
+        return not loop.external and loop.is_unchanged(wiring_of(self.diagram))
 
     @property
     def beyond_scenario(self) -> dict[str, str]:
         """Attributes of a closed loop's run for changes that are not in its scenario."""
-        if self.loop is None:
-            return {}
-        external = f"{REFERENCE}: from outside" if "zc" in self.loop.external else ""
-        changes = [
-            self.loop.changes.description,
-            external,
-            f"{self.name}: run as a diagram",
-        ]
+        loop: Any = self.loop
+        external = f"{REFERENCE}: from outside" if "zc" in loop.external else ""
+        changes = [loop.changes.description, external, f"{self.name}: run as a diagram"]
         return {OWN_PARTS: ", ".join(filter(None, changes))}
 
     @cached_property

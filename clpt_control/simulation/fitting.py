@@ -344,7 +344,7 @@ class FitProblem:
             name: FittedOutput(self.times, data, model, unit)
             for (name, unit), data, model in columns
         }
-        start, parameters = self.run.with_values(values)
+        parameters, start = self.run.with_values(values)
         params = {}
         for name, location in self.run.locations.items():
             for k, key in location.fields[:1]:

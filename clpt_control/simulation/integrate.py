@@ -15,7 +15,7 @@ from ..base.run_attributes import ARGUMENTS, BEYOND, DIAGRAM, TEAM, RunDiagram
 from ..engine.solver.runner import checked_method
 from .diagram_runs import DiagramRun
 from .requests import request_of, times_from_zero
-from .run_cache import cached_run, diagram_key
+from .run_cache import cached_run, diagram_key, keep_run
 
 if TYPE_CHECKING:
     import xarray
@@ -138,6 +138,7 @@ def simulate(
 
     if not isinstance(system, control.InputOutputSystem):
         run, data = simulated(system, times, engine, solver, steps)
+        samples = np.size(timepts)
     else:
         request = request_of(
             system, timepts, inputs, initial_state, multiples=True, **solver, **steps
@@ -150,17 +151,20 @@ def simulate(
             with request.drawn_around():
                 return DiagramRun(*arguments, stop)
 
-        with cached_run(key, new_run) as run:
-            data = run.dataset(*run.solve(request))
-            noted = request.diagram, params, request, run.runner.block_parameters
-            data.encoding[DIAGRAM] = RunDiagram(*noted)
+        run = cached_run(key, new_run)
+        data = run.dataset(*run.solve(request))
+        noted = request.diagram, params, request, run.runner.block_parameters
+        data.encoding[DIAGRAM] = RunDiagram(*noted)
+        if run.loop is not None:
             overrides = inputs, initial_state, stop, *solver.values()
             if not run.is_unchanged or any(value is not None for value in overrides):
                 data.attrs |= run.beyond_scenario
+        keep_run(key, run)
+        samples = len(request.at)
 
     if skipped:
         data = data.isel(time=slice(skipped, None))
-    if np.size(unrecorded["timepts"]) == 2:
+    if samples == 2:
         data.attrs["message"] += "; two samples, for more see np.linspace"
     _note_arguments(data, unrecorded, {**solver, "params": params or None})
     if run.max_speed is not None and {"commanded_velocity", "true_flow"} <= set(data):

@@ -14,7 +14,7 @@ import numpy as np
 from ..base.arguments import known, public
 from ..base.errors import SimulationError
 from ..base.labelled import unlabelled
-from ..engine.codegen.directional_derivatives import read_as_number
+from ..engine.codegen.directional_derivatives import is_remade
 from ..engine.diagram.wiring import Params
 from ..engine.model.system import System
 from .diagram_runs import DiagramRun, fields_of
@@ -55,31 +55,22 @@ class PreparedRun:
             self._run = run = DiagramRun(*arguments, varied=tuple(params))
         self._is_quick = run.runner.engine == "native" and run.runner.nstates
         # parameters with which code is made anew
-        self._fixed = {
-            key for key in params if self._is_quick and not self._is_free(key)
-        }
+        self._fixed = {key for key in params if self._is_quick and self._is_fixed(key)}
 
     def _arguments(self, params: Mapping[str, Any]) -> tuple[Any, Any, Any, Any]:
         """Return the arguments of a `DiagramRun`."""
         return self._request.diagram, params, self._request.sizes, self._engine
 
-    def _is_free(self, key: str) -> bool:
-        """Return whether compiled code reads a parameter where it may have any value."""
+    def _is_fixed(self, key: str) -> bool:
+        """Return whether code is made anew for another value of a parameter."""
         wiring = self._run.wiring
         fields = fields_of(wiring, [key])
-        blocks = {k for k, _ in fields}
-        name = key.rpartition(".")[2]
-        for k, node in enumerate(wiring.nodes):
-            block = node.system.unsampled
-            if k not in blocks and isinstance(block, System) and block.mentions(name):
-                return False
-        for k, field in fields:
-            block = wiring.nodes[k].system
-            if isinstance(getattr(block.parameters, field, 0), int):
-                return False
-            if read_as_number(block, field):
-                return False
-        return bool(fields)
+        blocks, name = {k for k, _ in fields}, key.rpartition(".")[2]
+        for k, (_, block) in enumerate(wiring.blocks):
+            inner = block.unsampled  # may have a list of this name
+            if k not in blocks and isinstance(inner, System) and inner.mentions(name):
+                return True
+        return not fields or is_remade(wiring, fields)
 
     @public
     def __call__(

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import control
 import numpy as np
 
-from ..base.arguments import numbers, public, vector_of
+from ..base.arguments import finite, is_plain, numbers, public, vector_of
 from ..base.errors import ArgumentError, SimulationError
 from ..base.labelled import Clock, Labelled, is_within, labelled, own_times, rounding
 from ..base.progress import warn
@@ -56,7 +56,8 @@ class Request(NamedTuple):
     inputs: Inputs
     start: np.ndarray
     options: RunOptions
-    clock: Clock  # of the inputs, which may jump at repeated times
+    at: np.ndarray  # times of inputs without labels, which may jump at repeated ones
+    clock: Clock | None  # of inputs with labels, if there was one
 
     @property
     def sizes(self) -> Sizes:
@@ -75,8 +76,8 @@ class Request(NamedTuple):
     def with_inputs(self, inputs: Any) -> "Request":
         """Return the run with other inputs, whose dates count from the same one."""
         clock = copy(self.clock)
-        signals = labelled("inputs", inputs, clock)
-        read = inputs_at(self.diagram, inputs, signals, clock.at, self.times)
+        _, signals, _ = signals_of(self.diagram, self.at, inputs, clock)
+        read = inputs_at(self.diagram, inputs, signals, self.at, self.times)
         return self._replace(inputs=read)
 
 
@@ -117,20 +118,22 @@ def request_of(
     default_state = own_arguments.pop("initial_state", None)
     # 2. times
     times, skipped, steps = timepts, 0, None
-    if clock is None:
-        clock = clock_of(diagram, timepts)
-        times = None if timepts is None else distinct_times(clock.at)
+    has_clock = clock is not None
+    at, signals, clock = signals_of(diagram, timepts, inputs, clock)
+    if timepts is not None and not has_clock:
+        times = distinct_times(at)
     if loop is not None and (timepts is None or inputs is initial_state is None):
         times, skipped = times_from_zero(loop.scenario, times)
-    signals = labelled("inputs", inputs, clock)
     if times is None:
-        times = own_times(signals) if isinstance(signals, dict) else clock.at
+        times = own_times(signals) if isinstance(signals, dict) else at
         if not len(times):
             raise SimulationError("timepts: is required to simulate a diagram")
     if timepts is None:
-        clock.at = times
+        at = times
+        if clock is not None:
+            clock.at = times
     # 3. arrays
-    read = inputs_at(diagram, inputs, signals, clock.at, times)
+    read = inputs_at(diagram, inputs, signals, at, times)
     start = start_of(diagram, initial_state, default_state, diagram.nstates)
     if multiples and diagram.dt:
         steps = steps_between(times, diagram.dt)
@@ -140,7 +143,7 @@ def request_of(
         if options.get(name) is None:
             options[name] = value
     checked = RunOptions.checked(diagram.dt, times, **options)
-    return Request(diagram, times, skipped, steps, read, start, checked, clock)
+    return Request(diagram, times, skipped, steps, read, start, checked, at, clock)
 
 
 @public
@@ -165,6 +168,20 @@ def clock_of(diagram: Any, timepts: Any) -> Clock:
     return Clock(timepts, loop and loop.scenario.units.time)
 
 
+def signals_of(
+    diagram: Any, timepts: Any, inputs: Any, clock: Clock | None = None
+) -> tuple[np.ndarray, Any, Clock | None]:
+    """Return times and inputs as a clock reads them, and the clock; arrays need none."""
+    is_array = inputs is None or is_plain(inputs)
+    if clock is None and is_array and is_plain(timepts):
+        values = None if inputs is None else numbers("inputs", inputs)
+        return np.atleast_1d(finite("timepts", timepts)), values, None
+    clock = clock or clock_of(diagram, timepts)
+    signals = labelled("inputs", inputs, clock)
+    check_positions("inputs", inputs, diagram.input_labels)
+    return clock.at, signals, clock
+
+
 def distinct_times(times: np.ndarray) -> np.ndarray:
     """Return times without repetition, checked."""
     if times.ndim == 1 and len(times) > 1:
@@ -181,7 +198,11 @@ def start_of(diagram: Any, state: Any, default: Any, count: int | None) -> np.nd
     The number of states, None, may be open.  A last zero is repeated.
     """
     name = "initial_state"
-    state = numbers(name, vector_by_name(name, diagram, "state", state, default))
+    if state is None:
+        state = 0.0 if default is None else default
+    if not is_plain(state):
+        state = vector_by_name(name, diagram, "state", state, default)
+    state = numbers(name, state)
     if count is None:
         count = state.size
     if state.ndim:
@@ -208,7 +229,6 @@ def inputs_at(
     Samples without times are at `clock_times`.
     """
     labels, count = diagram.input_labels, diagram.ninputs
-    check_positions("inputs", inputs, labels)
     if isinstance(named_inputs, list):
         rows = [
             row for value in named_inputs for row in _rows("inputs", value, clock_times)

@@ -5,8 +5,7 @@ which something could change unnoticed has no key; such a diagram is prepared at
 """
 
 import os
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from typing import Any
 
 import control
@@ -29,23 +28,22 @@ _LAST: dict[tuple[int, ...], tuple[tuple, Fingerprint]] = {}  # by identities
 Key = tuple[Any, Any]  # the key, and the objects whose identities are in the key
 
 
-@contextmanager
-def cached_run(key: Key | None, make: Callable[[], Any]) -> Iterator[Any]:
-    """Yield the cached run of a key, or a new one; no other caller has the run meanwhile.
+def cached_run(key: Key | None, make: Callable[[], Any]) -> Any:
+    """Return the cached run of a key, or a new one; no other caller has it until `keep_run`."""
+    cached = key and _CACHE.pop((key[0], os.environ.get(ENGINE)), None)
+    return cached[1] if cached else make()
+
+
+def keep_run(key: Key | None, run: Any) -> None:
+    """Cache a run for the next caller.
 
     Runs in Python are not cached, so that their warning is repeated.
     """
-    cache_key = key and (key[0], os.environ.get(ENGINE))
-    objects, run = _CACHE.pop(cache_key, (None, None))
-    if run is None:
-        objects = key
-        run = make()
-    yield run
     if key and run.runner.engine == "native":
         # the objects stay alive as long as their identities are in the cache
-        _CACHE[cache_key] = objects, run
-        for oldest in list(_CACHE)[:-MAX_RUNS]:
-            _CACHE.pop(oldest, None)
+        _CACHE[key[0], os.environ.get(ENGINE)] = key, run
+        if len(_CACHE) > MAX_RUNS:
+            _CACHE.pop(next(iter(_CACHE)), None)
 
 
 def diagram_key(diagram: Any, params: Params, *options: Any) -> Key | None:

@@ -23,7 +23,7 @@ from .flows import faster_flow, speeds_of
 from .initial_states import state_of
 from .loop_blocks import paper_blocks
 from .loops import team_blocks
-from .run_cache import Key, cached_run
+from .run_cache import Key, cached_run, keep_run
 
 if TYPE_CHECKING:
     import xarray
@@ -152,9 +152,11 @@ def simulated(
     key = _scenario_key(system, *solver.values(), engine)
     system = _with_solver(system, solver)
     run_type: Any = TeamRun if isinstance(system, Team) else ScenarioRun
-    with cached_run(key, lambda: run_type(system, engine)) as run:
-        options = RunOptions.checked(0, times, **system.run.solver, **steps)
-        return run, run.dataset(*run.run(run.initial_state, times, NO_INPUTS, options))
+    run = cached_run(key, lambda: run_type(system, engine))
+    options = RunOptions.checked(0, times, **system.run.solver, **steps)
+    data = run.dataset(*run.run(run.initial_state, times, NO_INPUTS, options))
+    keep_run(key, run)
+    return run, data
 
 
 def _scenario_key(system: Scenario | Team, *options: Any) -> Key | None:

@@ -18,9 +18,8 @@ import numpy as np
 from ..base.arguments import check_known, public
 from ..base.errors import SimulationError, Uncompiled
 from ..engine.codegen.diagram_record import Form
-from ..engine.codegen.directional_derivatives import may_jump, put, value_at
+from ..engine.codegen.directional_derivatives import may_jump, value_at, with_values
 from ..engine.diagram.wiring import Params
-from ..engine.model.declaration import check_rules
 from ..engine.record.unread import Unread
 from ..engine.solver.native_diagram import NativeDiagram
 from ..engine.solver.runner import RunOptions
@@ -120,21 +119,17 @@ class SensitivityRun(DiagramRun):
             [value_at(location, parameters, start) for location in locations]
         )
 
-    def with_values(self, values: np.ndarray) -> tuple[np.ndarray, list[Any]]:
-        """Return the initial state and the parameters of blocks with values of varied numbers."""
-        start = self.request.start.copy()
-        parameters = list(self.runner.block_parameters)
-        for location, value in zip(self.locations.values(), values, strict=True):
-            put(location, value, parameters, start)
-        for (_, block), its in zip(self.wiring.blocks, parameters, strict=True):
-            check_rules(block, its)
-        return start, parameters
+    def with_values(self, values: np.ndarray) -> tuple[list[Any], np.ndarray]:
+        """Return the parameters of blocks and the initial state with values of varied numbers."""
+        at = zip(self.locations.values(), values, strict=True)
+        own = self.runner.block_parameters
+        return with_values(self.wiring, own, self.request.start, at)
 
     def at(self, values: np.ndarray, **solver: Any) -> RunWithDerivatives:
         """Run with values of the varied numbers."""
         request = self.request
         skipped = request.skipped
-        start, parameters = self.with_values(values)
+        parameters, start = self.with_values(values)
         # the state, then its derivative by each number
         x = np.zeros((1 + len(self.locations), len(start)))
         x[0] = start

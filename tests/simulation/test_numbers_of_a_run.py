@@ -7,6 +7,10 @@ diagram's, the call's; the last has priority.  Every verb has the same numbers.
 import control
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
+from sympy.core.function import AppliedUndef
+from test_export import InC, needs_cc
+from test_fmu import Importer
 
 import clpt_control as clpt
 from clpt_control import parts
@@ -14,6 +18,12 @@ from clpt_control import parts
 TIMES = np.linspace(0.0, 2.0, 9)
 START = [0.4, -0.3]
 NAMES = "lag.gain", "lag.lag", "k"
+COMPILED = "as_of_compiled_c", "as_of_fmu"
+QUICK = 2  # cases that `make test` runs
+CASES = [
+    *range(QUICK),
+    *(pytest.param(k, marks=pytest.mark.long) for k in range(QUICK, 200)),
+]
 
 
 def rates(t, x, u, p):
@@ -74,34 +84,37 @@ def expected(numbers, start=START, r=1.0):
     ).outputs.T
 
 
-@pytest.mark.parametrize("case", range(200))
-def test_runs_have_the_numbers_of_python_control(case):
-    generator = np.random.default_rng(case)
-    own, inner, outer, call = drawn(generator)
-    system = nested(own, inner, outer, connect=case % 2)
-    numbers = own | inner | outer | call
-    right = expected(numbers)
-    if case < 40:
-        np.testing.assert_allclose(by_control(system, call), right, atol=1e-6)
+def as_of_python_control(system, call, numbers, folder):
+    return by_control(system, call)
+
+
+def as_of_simulate(system, call, numbers, folder):
     run = clpt.simulate(system, TIMES, 1.0, START, call)
-    np.testing.assert_allclose(np.transpose([run.v, run.z]), right, atol=1e-7)
+    return np.transpose([run.v, run.z])
+
+
+def as_of_prepare(system, call, numbers, folder):
+    """Return a prepared run, after one with other numbers."""
     prepared = clpt.prepare(system, TIMES, 1.0, START, call)
-    np.testing.assert_allclose(prepared().states, right, atol=1e-7)
     changed = {name: 1.5 * value for name, value in call.items()}
-    np.testing.assert_allclose(
-        prepared(params=changed).states, expected(numbers | changed), atol=1e-7
-    )
+    right = expected(numbers | changed)
+    np.testing.assert_allclose(prepared(params=changed).states, right, atol=1e-6)
+    return prepared().states
 
 
-def as_of_members(system, call):
+def as_of_members(system, call, numbers, folder):
+    """Return a member; another has another input and another k."""
+    vary = {"r": [1.0, 2.0], "k": [numbers["k"], 0.7]}
     members = clpt.run_ensemble(
-        system, {"r": [1.0, 2.0]}, timepts=TIMES, initial_state=START, params=call,
-        trajectories=True,
-    )  # fmt: skip
+        system, vary, timepts=TIMES, initial_state=START, params=call, trajectories=True
+    )
+    last = np.transpose([members.v.values[-1], members.z.values[-1]])
+    right = expected(numbers | {"k": 0.7}, r=2.0)
+    np.testing.assert_allclose(last, right, atol=1e-6)
     return np.transpose([members.v.values[0], members.z.values[0]])
 
 
-def as_of_sensitivity(system, call):
+def as_of_sensitivity(system, call, numbers, folder):
     """Return states as the sum of their derivatives times the start, and of a run from rest."""
     run = clpt.sensitivity(
         system, TIMES, inputs=1.0, initial_state=START, params=call, to="x0"
@@ -111,36 +124,84 @@ def as_of_sensitivity(system, call):
     return homogeneous + particular
 
 
-def as_of_enclosure(system, call):
+def as_of_fit(system, call, numbers, folder):
+    """Return the run with the k that was found, of data with 1.3 times k."""
+    data = expected(numbers | {"k": 1.3 * numbers["k"]})
+    begin = {"k": numbers["k"]}
+    fit = clpt.fit_parameters(
+        system,
+        {"v": data[:, 0], "z": data[:, 1]},
+        begin,
+        TIMES,
+        1.0,
+        START,
+        params=call,
+    )
+    return expected(numbers | {"k": fit.values["k"] / 1.3})
+
+
+def as_of_enclosure(system, call, numbers, folder):
     tube = clpt.enclose(system, TIMES, 1.0, START, call)
     np.testing.assert_allclose(tube.upper, tube.lower, atol=1e-9)
     return tube.lower.values[:, :2]
 
 
-def as_of_linearization(system, call):
+def as_of_linearization(system, call, numbers, folder):
     linear = clpt.linearize(system, [0.0, 0.0], [0.0], params=call)
     u = np.ones(len(TIMES))
     return control.forced_response(linear, TIMES, u, START).states.T
 
 
-VERBS = {
-    function.__name__: function
-    for function in (
-        as_of_members,
-        as_of_sensitivity,
-        as_of_enclosure,
-        as_of_linearization,
-    )
-}
+def as_of_equations(system, call, numbers, folder):
+    """Return the run of the printed rates, for the diagram with the numbers of the call."""
+    system.params = {**system.params, **call}
+    rates = clpt.equations(system, numbers=True).rates
+
+    def rates_at(v, x, r):
+        values = {"v": v, "x": x, "r(t)": r}
+        found = []
+        for (rate,) in (rates["v"], rates["x"]):
+            atoms = rate.free_symbols | rate.atoms(AppliedUndef)
+            atoms = {atom: values[str(atom)] for atom in atoms if str(atom) in values}
+            found.append(float(rate.xreplace(atoms)))
+        return found
+
+    matrix = np.transpose([rates_at(*row) for row in np.eye(3).tolist()])
+    plant = control.ss(matrix[:, :2], matrix[:, 2:], np.eye(2), 0)
+    return control.forced_response(plant, TIMES, np.ones(len(TIMES)), START).states.T
 
 
-@pytest.mark.parametrize("verb", VERBS.values(), ids=VERBS)
-@pytest.mark.parametrize("case", range(6))
-def test_every_verb_has_these_numbers(verb, case):
-    own, inner, outer, call = drawn(np.random.default_rng(1000 + case))
+def as_of_compiled_c(system, call, numbers, folder):
+    made = InC(system, folder, initial_state=START, params=call)
+    h = TIMES[1] / 50
+    steps = h * np.arange(50 * (len(TIMES) - 1) + 1)
+    return made.run(np.array(START), np.ones(1), h, steps)[::50]
+
+
+def as_of_fmu(system, call, numbers, folder):
+    """Return the run until the end, whose last row an importer computes."""
+    clpt.export(system, folder / "made.fmu", START, params=call)
+    found = Importer(folder / "made.fmu", folder)
+    following = found.initialize(r=1.0)
+    end = found.run(TIMES[-1], following, 5e-3)
+    return np.vstack([expected(numbers)[:-1], end])
+
+
+VERBS = [
+    pytest.param(function, marks=[needs_cc] * (name in COMPILED), id=name)
+    for name, function in list(globals().items())
+    if name.startswith("as_of_")
+]
+
+
+@pytest.mark.parametrize("verb", VERBS)
+@pytest.mark.parametrize("case", CASES)
+def test_every_verb_has_the_numbers_of_python_control(case, verb, tmp_path):
+    own, inner, outer, call = drawn(np.random.default_rng(case))
     system = nested(own, inner, outer, connect=case % 2)
-    right = expected(own | inner | outer | call)
-    np.testing.assert_allclose(verb(system, call), right, atol=1e-6)
+    numbers = own | inner | outer | call
+    found = verb(system, call, numbers, tmp_path)
+    np.testing.assert_allclose(found, expected(numbers), atol=1e-6)
 
 
 @pytest.mark.parametrize("connect", [False, True])
@@ -209,3 +270,146 @@ def test_members_with_one_mode_share_a_block_made_anew():
                 drop=True,
             )
             np.testing.assert_allclose(row.h.values.ravel(), run.h.values, atol=1e-7)
+
+
+def test_rules_of_a_block_that_does_not_vary_hold_in_every_verb():
+    limit = parts.saturation(-1.0, 1.0, name="limit", u="r", y="v")
+    system = clpt.connect([limit, parts.lag(1.0, u="v", y="z")], "r")
+    wrong = {"limit.low": 5.0}
+    for call in (
+        lambda: clpt.run_ensemble(
+            system, {"lag.gain": [1.0, 2.0]}, timepts=TIMES, params=wrong
+        ),
+        lambda: clpt.sensitivity(system, TIMES, to="lag.gain", params=wrong),
+        lambda: clpt.fit_parameters(
+            system, {"z": TIMES}, {"lag.gain": 1.0}, TIMES, 1.0, params=wrong
+        ),
+    ):
+        with pytest.raises(clpt.ClptError, match=r"low = 5\.0: must be below high"):
+            call()
+
+
+AT, VALUES = [-1.0, 0.0, 0.5, 1.0, 2.0], [0.0, 1.0, 0.5, 2.0, -1.0]
+
+
+def pieces(at, x0=-0.5):
+    """Return x at TIMES for x' = 0.3 - x + table(x), by SciPy from kink to kink."""
+    rate = lambda t, x: 0.3 - x + np.interp(x, at, VALUES)  # noqa: E731
+    kinks = [lambda t, x, k=k: x[0] - k for k in at]
+    for kink in kinks:
+        kink.terminal = True
+    found, t, x = [x0], 0.0, np.array([x0])
+    for until in TIMES[1:]:
+        while t < until:
+            run = solve_ivp(rate, (t, until), x, rtol=1e-11, atol=1e-12, events=kinks)
+            t, x = run.t[-1], run.y[:, -1]
+            if t < until:  # over the kink
+                x = x + 1e-12 * rate(t, x)
+        found.append(x[0])
+    return np.array(found)
+
+
+def table_in_a_loop(kind):
+    if kind == "nlsys":
+        return control.nlsys(
+            lambda t, x, u, p: [u[0] - x[0] + np.interp(x[0], p["at"], p["v"])],
+            None,
+            inputs="r",
+            states=["x"],
+            outputs=["x"],
+            params={"at": np.array(AT), "v": np.array(VALUES)},
+        ), "at"
+    table = parts.lookup_table(AT, VALUES, name="table", u="x", y="w")
+    sum_of = clpt.Block(
+        "sum", output=lambda t, x, u, p: u.r + u.w, inputs={"r": 1, "w": 1}, outputs={"e": 1}
+    )  # fmt: skip
+    return clpt.connect([table, sum_of, parts.lag(1.0, u="e", y="x")], "r"), "table.at"
+
+
+@pytest.mark.parametrize("kind", ["part", "nlsys"])
+def test_points_of_a_table_vary_as_other_numbers(kind):
+    system, at = table_in_a_loop(kind)
+    levels = [-0.4, 0.1, 0.3]
+    right = [pieces([-1.0, level, *AT[2:]]) for level in levels]
+    members = clpt.run_ensemble(
+        system, {f"{at}[1]": levels}, timepts=TIMES, inputs=0.3, initial_state=[-0.5],
+        trajectories=True,
+    )  # fmt: skip
+    np.testing.assert_allclose(members.x.values, right, atol=1e-6)
+    whole = np.array([-1.0, 0.1, *AT[2:]])
+    prepared = clpt.prepare(system, TIMES, 0.3, [-0.5], {at: np.array(AT)})
+    found = prepared(params={at: whole}).states[:, 0]
+    np.testing.assert_allclose(found, right[1], atol=1e-6)
+    fit = clpt.fit_parameters(
+        system, {"x": right[1]}, {f"{at}[1]": 0.05}, TIMES, 0.3, [-0.5]
+    )
+    assert fit.values[f"{at}[1]"] == pytest.approx(0.1, abs=1e-6)
+    h = 1e-4
+    slope = clpt.sensitivity(
+        system,
+        TIMES,
+        to=f"{at}[1]",
+        inputs=0.3,
+        initial_state=[-0.5],
+        params={at: whole},
+    ).x.values[:, 0]
+    below, above = (pieces([-1.0, 0.1 + change, *AT[2:]]) for change in (-h, h))
+    np.testing.assert_allclose(slope, (above - below) / (2 * h), atol=2e-3)
+
+
+def test_points_that_do_not_increase_are_refused_in_a_sweep():
+    system, at = table_in_a_loop("part")
+    with pytest.raises(clpt.ClptError, match=r"member 1.*increasing numbers"):
+        clpt.run_ensemble(system, {f"{at}[1]": [0.0, 0.7]}, timepts=TIMES)
+
+
+PLANT = control.nlsys(
+    lambda t, x, u, p: [u[0] - p["k"] * x[0]],
+    None,
+    inputs=["u"],
+    states=["y"],
+    outputs=["y"],
+    params={"k": 1.0},
+    name="plant",
+)
+
+
+def of_the_plant(k):
+    """Return the plant with a k of its own, in a diagram, and in one whose params have it."""
+    own = control.nlsys(
+        PLANT.updfcn, None, inputs=["u"], states=["y"], outputs=["y"], params={"k": k}
+    )
+    around = control.interconnect(
+        [PLANT], inplist=["plant.u"], inputs=["u"], outlist=["plant.y"], outputs=["y"],
+        params={"k": k},
+    )  # fmt: skip
+    return own, around
+
+
+@pytest.mark.parametrize("k", [1 + 2j, 1 + 0j, np.complex64(1j), np.array([1j]), [1j]])
+def test_complex_params_are_refused_in_every_verb(k):
+    u, x = 1.0, [1.0]
+    verbs = {
+        "simulate": lambda s, p: clpt.simulate(s, TIMES, u, x, p),
+        "prepare": lambda s, p: clpt.prepare(s, TIMES, u, x, p),
+        "linearize": lambda s, p: clpt.linearize(s, x, [u], params=p),
+        "sensitivity": lambda s, p: clpt.sensitivity(
+            s, TIMES, inputs=u, initial_state=x, params=p
+        ),
+        "enclose": lambda s, p: clpt.enclose(s, TIMES, u, x, p),
+        "ensemble": lambda s, p: clpt.run_ensemble(
+            s, {"y": [1.0, 2.0]}, timepts=TIMES, params=p
+        ),
+    }
+    for verb in verbs.values():
+        for system, params in [
+            (PLANT, {"k": k}),
+            *((s, None) for s in of_the_plant(k)),
+        ]:
+            with pytest.raises(clpt.ClptError, match=r"k = .*must be a number"):
+                verb(system, params)
+    with pytest.raises(clpt.ClptError, match="vary: k = "):
+        clpt.run_ensemble(PLANT, {"k": [1.0, np.ravel(k)[0]]}, timepts=TIMES)
+    prepared = clpt.prepare(PLANT, TIMES, u, x, {"k": 1.0})
+    with pytest.raises(clpt.ClptError, match=r"params\['k'\]"):
+        prepared(params={"k": k})

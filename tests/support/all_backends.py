@@ -40,6 +40,7 @@ from clpt_control.engine.conformance.checks import (
 )
 from clpt_control.engine.conformance.confirmation import Tolerance, differ
 from clpt_control.engine.diagram.block_numbers import blocks_of
+from clpt_control.engine.diagram.wiring import wiring_of
 from clpt_control.engine.model.block import Block
 from clpt_control.engine.record.graph import Shape, bound
 from clpt_control.engine.record.operations import ELEMENTWISE, named
@@ -84,7 +85,8 @@ def readings(
     >>> for name, backend in readings(clpe()).items():
     ...     assert backend(0.0, [], [3.0, 2.0, 1.0, 1.0])[1].tolist() == [2.0, 1.0]
     """
-    sweep = PythonDiagram(diagram, params).sweep
+    wiring = wiring_of(diagram, params)
+    sweep = PythonDiagram(wiring).sweep
 
     def by_control(t: float, x: Any, u: Any) -> Values:
         states = np.asarray(x, dtype=float)
@@ -100,7 +102,7 @@ def readings(
 
     def native(form: str | None = None, lanes: int = 1) -> Backend:
         return _compiled_backend(
-            lambda: _MachineCode(NativeDiagram(diagram, params, Form(form)), lanes)
+            lambda: _MachineCode(NativeDiagram(wiring, Form(form)), lanes)
         )
 
     backends = {

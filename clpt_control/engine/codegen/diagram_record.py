@@ -202,7 +202,7 @@ def tables_over_time(block: Block) -> Iterator[tuple]:
                     continue
                 row, value = operation.arguments
                 shift = shift_of(operations, value)
-                if shift is not None:
+                if shift is not None and operations[row].kind == "constant":
                     yield operations[row].at, shift, operation.at
 
 

@@ -11,7 +11,7 @@ names of the values that may vary, with their locations.
 
 import operator
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from math import prod
 from typing import Any, NamedTuple
 
@@ -20,6 +20,7 @@ import numpy as np
 from ..diagram.block_numbers import call_names
 from ..diagram.wiring import Wiring
 from ..model.block import Block
+from ..model.declaration import check_rules
 from ..model.ports import indices_by_name
 from ..record.operations import JUMP, named
 from ..trace.arrays import operand
@@ -166,6 +167,21 @@ def put(location: Place, value: Any, parameters: list[Any], start: np.ndarray) -
         start[list(location.states)] = value
 
 
+def with_values(
+    wiring: Wiring,
+    parameters: Sequence[Any],
+    start: np.ndarray,
+    values: Iterable[tuple[Place, Any]],
+) -> tuple[list[Any], np.ndarray]:
+    """Return parameters of blocks, and a start, with values at places; rules are checked."""
+    parameters, start = list(parameters), start.copy()
+    for location, value in values:
+        put(location, value, parameters, start)
+    for (_, block), its in zip(wiring.blocks, parameters, strict=True):
+        check_rules(block, its)
+    return parameters, start
+
+
 def _fields_by_name(wiring: Wiring) -> dict[str, list[tuple[int, str]]]:
     """Return the blocks' parameters by the names that a call gives them: (block, field)."""
     fields: dict[str, list[tuple[int, str]]] = {}
@@ -187,6 +203,11 @@ def read_as_number(block: Block, field: str) -> str | None:
         if field in fields:
             return role
     return None
+
+
+def is_remade(wiring: Wiring, fields: Iterable[tuple[int, str]]) -> bool:
+    """Return whether blocks are made anew for other values of fields: modes and counts."""
+    return any(read_as_number(wiring.nodes[k].system, field) for k, field in fields)
 
 
 def may_jump(block: Block) -> bool:

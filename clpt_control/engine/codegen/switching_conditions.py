@@ -297,8 +297,7 @@ class Decisions:
         if name == "argmin":
             return _distance_of_least(a, H)
         if name == "search":
-            points = np.frombuffer(self.record.entries[of[0]].at)
-            return _distance_in_row(points, others[0], H)
+            return _distance_in_row(a, others[0], H)
         size = abs(a)
         if name in COMPARED and of[1] != 0.0:
             size = size + abs(others[0])
@@ -382,10 +381,10 @@ def _chosen(mask: np.ndarray, value: Any, other: Any) -> Any:
     return where(mask, value, other) if mask.any() else other
 
 
-def _distance_in_row(points: np.ndarray, x: Any, H: Array) -> tuple[Any, Any]:
+def _distance_in_row(points: Array, x: Any, H: Array) -> tuple[Any, Any]:
     """Return the distance of a value from the ends of its segment in a sorted row."""
-    low = x - lookup(np.append(points[:1], points), H)
-    high = lookup(np.append(points, points[-1:]), H) - x
+    low = x - lookup(np.concatenate([points[:1], points]), H)
+    high = lookup(np.concatenate([points, points[-1:]]), H) - x
     # the segments at the ends of the row have one end
     is_last = float(len(points)) <= H
     is_first = H < 1.0

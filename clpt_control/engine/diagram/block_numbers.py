@@ -52,13 +52,7 @@ def blocks_of(
     """
     blocks: list[tuple[str, Block]] = []
     checked: dict[tuple[int, int], tuple[Given, list[tuple[str, Block]]]] = {}
-    for name, leaf, around in _leaves_with_params(
-        diagram, (Given("params", 0, params or {}),)
-    ):
-        part = linear(leaf) if isinstance(leaf, control.StateSpace) else leaf
-        values: dict[str, Any] = {}
-        for given in around:
-            values |= values_of(name[given.begin :], part, given.params)
+    for name, part, values, around in parts_of(diagram, params):
         if isinstance(part, Block):
             block = part.having(values, complete)
         else:
@@ -71,6 +65,19 @@ def blocks_of(
     for given, owned in checked.values():
         check_params(given, owned)
     return blocks
+
+
+def parts_of(
+    diagram: Part, params: Params = None
+) -> Iterator[tuple[str, Part, dict[str, Any], tuple[Given, ...]]]:
+    """Yield name and system of each leaf, the values it is given by its own names, and by whom."""
+    around = (Given("params", 0, params or {}),)
+    for name, leaf, givers in _leaves_with_params(diagram, around):
+        part = linear(leaf) if isinstance(leaf, control.StateSpace) else leaf
+        values: dict[str, Any] = {}
+        for given in givers:
+            values |= values_of(name[given.begin :], part, given.params)
+        yield name, part, values, givers
 
 
 def _leaves_with_params(

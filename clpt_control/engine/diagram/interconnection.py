@@ -17,10 +17,9 @@ from ..model.block import Block
 from ..model.declaration import Guard, Parameters, check_names, ports_line, same_unit
 from ..model.ports import Vector, counts_of, labels, spans_of, vector, whole_labels
 from ..model.sampled import Sampled
-from ..model.system import System
 from ..trace.arrays import Array
 from ..trace.tracing import Ports
-from .block_numbers import blocks_of, own_params
+from .block_numbers import blocks_of, own_params, parts_of
 from .wiring import (
     Params,
     Part,
@@ -99,15 +98,10 @@ class Diagram(control.InterconnectedSystem):
         is_nested |= bool(self.params) and set(self.params) <= set(params)
         if params and not is_nested:
             blocks_of(self, params)
-        params = own_params(self.name, params)
-        super()._update_params(params)
-        for subsystem in self.syslist:
-            is_named = any(key.startswith(f"{subsystem.name}.") for key in params)
-            is_block = isinstance(subsystem, Block)
-            if is_named and (isinstance(subsystem, System) or not is_block):
-                subsystem._update_params(
-                    {**self.params, **own_params(subsystem.name, params)}
-                )
+        for _, part, values, _ in parts_of(self, own_params(self.name, params)):
+            if isinstance(part, Block):  # whose names begin with its own
+                values = {f"{part.name}.{key}": v for key, v in values.items()}
+            part._update_params(values)
 
 
 class Port(NamedTuple):

@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 import control
 import numpy as np
 
-from ...base.arguments import attribute_of, has, is_plain, known, vector_of
+from ...base.arguments import attribute_of, has, known, vector_of
 from ...base.errors import ArgumentError, DiagramError
 from ...base.labelled import Labelled, axes_of, check_complete, labelled
 from ..model.block import Block
@@ -458,8 +458,6 @@ def check_positions(argument: str, value: Any, labels: Sequence[str]) -> None:
 
     Names of python-control's rows stay in their order when rows are selected.
     """
-    if is_plain(value):
-        return
     if axes_of(value) == []:
         value = [value] * len(labels)
     own = attribute_of(value, "signal_labels")
@@ -481,8 +479,6 @@ def vector_by_name(
     """Return states or inputs given by name as a vector, others in it the default or 0."""
     if value is None:
         return 0.0 if default is None else default
-    if is_plain(value):
-        return value
     given = labelled(argument, value)
     labels = getattr(system, f"{kind}_labels")
     if not isinstance(given, dict):

@@ -317,7 +317,10 @@ class Block(ReadBlock):
 
     @public
     def with_values(self, changes: Mapping[str, Any], complete: bool = True) -> Any:
-        """Return the parameters with some fields changed; `complete` ones obey the rules."""
+        """Return the parameters with some fields changed.
+
+        They obey the rules if all of them are `complete`.
+        """
         check_known(self.name, changes, self.parameters._fields)
         for field, value in changes.items():
             fixed = getattr(self.parameters, field)
@@ -336,7 +339,10 @@ class Block(ReadBlock):
         return changed
 
     def having(self, values: Mapping[str, Any], complete: bool = True) -> Any:
-        """Return the block with other numbers; functions that read one are traced anew."""
+        """Return the block with other numbers.
+
+        Functions that read one of them are traced anew.
+        """
         if not values:
             return self
         changed = copy(self)

@@ -49,14 +49,15 @@ class System(Block):
         self.name = system.name
         self._params = dict(system.params if params is None else params)
         for key, value in self._params.items():
-            if axes_of(value) == []:
-                self._params[key] = value.item()
-            elif _is_number(key, system.params.get(key)) and (
-                isinstance(value, str | None) or axes_of(value)
+            no_number = isinstance(value, str | None) or axes_of(value)
+            if np.iscomplexobj(value) or (
+                no_number and _is_number(key, system.params.get(key))
             ):
                 raise BlockError(
                     f"{self.name}.{key} = {brief(value)}: must be a number"
                 )
+            if axes_of(value) == []:
+                self._params[key] = value.item()
         self.declared_names = {*system.params}  # which a run may set
         self._spread: set[str] = set()  # roles that were warned of
         # role -> params that it asks for, texts in its code
@@ -184,7 +185,8 @@ class System(Block):
         function, where = self._plan[role]
         returned = function(t, np.array(x), np.array(u), self._params_with(p))
         values = flattened(f"{self.name}.{role}", returned, where, size, spreads=True)
-        if size > 1 and np.size(returned) == 1 and active() is None:
+        is_one = size > 1 and values[0] == values[-1] and np.size(returned) == 1
+        if is_one and active() is None:
             self._warn_of_spread(role)
         return values
 

@@ -215,7 +215,8 @@ class Sweep:
 
         They are those right after t in a run of the length `run`.
         """
-        self.enter(t + rounding(t, run))
+        if self._with_intervals:
+            self.enter(t + rounding(t, run))
         rates = self.derivative(t, x, u)
         results = [self.signals.copy()]
         if self.nstates:

@@ -27,8 +27,7 @@ ABREAST = 256  # states of runs in lanes; more do not fit the first cache
 class NativeDiagram(Runner):
     """A diagram compiled to machine code.
 
-    `params` are call-time parameters by qualified name.  `apart` has blocks' fields that
-    differ from run to run.
+    `apart` has blocks' fields that differ from run to run.
 
     Attributes
     ----------
@@ -51,11 +50,10 @@ class NativeDiagram(Runner):
     def __init__(
         self,
         diagram: control.NonlinearIOSystem | Wiring,
-        params: Mapping[str, Any] | None = None,
         form: Form = PLAIN,
         apart: Mapping[tuple[int, str], Any] = {},
     ):
-        super().__init__(diagram, params)
+        super().__init__(diagram)
         self.layout = lay_out(self.wiring, self.sweep.parameters, apart)
         self.form = form
         self.code = code_of(self.wiring, self.layout, form)
@@ -176,9 +174,7 @@ class NativeDiagram(Runner):
         return LANES if count > 1 and fuses() and self.nstates <= ABREAST else 1
 
 
-def compile(
-    diagram: control.NonlinearIOSystem, params: Mapping[str, Any] | None = None
-) -> NativeDiagram:
+def compile(diagram: control.NonlinearIOSystem) -> NativeDiagram:
     """Compile an interconnected diagram to machine code.
 
     >>> import clpt_control as clpt
@@ -187,4 +183,4 @@ def compile(
     >>> native.run(clpt.initial_state(scenario), [0.0, 20.0]).status
     'finished'
     """
-    return NativeDiagram(diagram, params)
+    return NativeDiagram(diagram)

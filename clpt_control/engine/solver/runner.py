@@ -9,7 +9,7 @@ The times are those that python-control takes: `dt` apart, or evenly spaced if d
 """
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from copy import copy
 from dataclasses import dataclass
 from functools import cached_property
@@ -43,16 +43,12 @@ class Runner(ABC):
     ramps = False  # the inputs are straight lines behind `layout.P`
     hidden_state = ""  # a sentence on a function that has one
 
-    def __init__(
-        self,
-        diagram: control.NonlinearIOSystem | Wiring,
-        params: Mapping[str, Any] | None = None,
-    ):
+    def __init__(self, diagram: control.NonlinearIOSystem | Wiring):
         if isinstance(diagram, Wiring):
             self.wiring = diagram
         else:
             read_anew(diagram)
-            self.wiring = wiring_of(diagram, params)
+            self.wiring = wiring_of(diagram)
         self.block_parameters: Sequence[Any] = self.wiring.parameters()
         self.nstates = self.sweep.nstates
         self.nsignals = len(self.sweep.signals)
@@ -204,6 +200,8 @@ class RunOptions:
         Refuse values out of range, and options that do not go with discrete time.
         """
         options = {name: value for name, value in options.items() if value is not None}
+        if not options and not dt:
+            return DEFAULT
         if options.get("max_step") == np.inf:
             del options["max_step"]
         checked_method(options.get("method"))
@@ -229,6 +227,9 @@ class RunOptions:
         if checked.rtol == checked.atol == 0.0:
             raise SimulationError("rtol = atol = 0: one of them must be above 0")
         return checked
+
+
+DEFAULT = RunOptions()
 
 
 def checked_method(method: str | None) -> str:

@@ -17,10 +17,10 @@ import numpy as np
 
 from ...base.arguments import brief, public
 from ...base.errors import ArgumentError
-from ..record.graph import picked
+from ..record.graph import picked, reached
 from ..record.unread import Unread
 from .arrays import Array, Tape, numbers_of, operand
-from .elementwise import boxed, constant, lifted, where
+from .elementwise import boxed, lifted, where
 
 SMOOTH = 3e-9  # relative to the largest number: smaller differences of polynomials are rounding
 MOST = 64  # simplices, or points in more than one dimension
@@ -72,10 +72,9 @@ def place_in(points: Any, x: Any, side: Any = "right", joints: str = "jumps") ->
     Values read at this index have `joints` at the points: "jumps", "kinks", or "smooth" ones, which
     need no event of the integrator.
     """
-    points = np.asarray(points, dtype=float)
     if not isinstance(x, Array):
         return float(np.searchsorted(points, x, side))
-    row = constant(x._tape, points)
+    row = lifted(x._tape, points)
     index = x._tape.add("search", (operand(row), operand(x)), x.shape, (side, joints))
     index._whole = True
     return index
@@ -129,6 +128,8 @@ def joints_of(points: np.ndarray, coefficients: Any) -> str:
 def _slopes(points: np.ndarray, values: Any) -> Any:
     """Return the slopes of straight lines between points; 0 between two equal points."""
     steps = np.diff(points).reshape(-1, *[1] * (values.ndim - 1))
+    if isinstance(steps, Array):
+        return np.diff(values) / steps
     return (values[1:] - values[:-1]) / np.where(steps > 0.0, steps, np.inf)
 
 
@@ -141,8 +142,7 @@ def _outside(values: Any, x: Any, points: np.ndarray, below: Any, above: Any) ->
 
 def interpolated(x, xp, fp, left=None, right=None, period=None):
     """Return np.interp(x, xp, fp); its constant ends are two more straight lines."""
-    numbers = numbers_of(fp) if isinstance(fp, Array) else np.asarray(fp, dtype=float)
-    values = fp if numbers is None else numbers
+    xp, values = _with_numbers(xp), _with_numbers(fp)
     if period is not None:
         xp = np.asarray(xp, dtype=float) % period
         order = np.argsort(xp)
@@ -151,17 +151,33 @@ def interpolated(x, xp, fp, left=None, right=None, period=None):
         x = np.remainder(x, period)
         xp = np.concatenate([xp[-1:] - period, xp, xp[:1] + period])
         values = np.concatenate([values[-1:], values, values[:1]])
-    xp = _increasing(xp, "np.interp")
+    if not (isinstance(xp, Array) and isinstance(x, Array) and _may_vary(xp, x)):
+        xp = _increasing(xp, "np.interp")
     slopes = _slopes(xp, values)
-    joints = (
-        "kinks" if isinstance(values, Array) else joints_of(xp, [slopes, values[:-1]])
-    )
+    are_numbers = not isinstance(xp, Array) and not isinstance(values, Array)
+    joints = joints_of(xp, [slopes, values[:-1]]) if are_numbers else "kinks"
     flat = np.zeros(1)
     below = values[:1] if left is None else np.full(1, float(left))
     lines = np.concatenate([flat, slopes, flat]), np.concatenate([below, values])
     points = np.concatenate([xp[:1], xp, xp[-1:]])
     value = _polynomial(points, lines, x, joints=joints if left is None else "jumps")
     return _outside(value, x, xp, None, right)
+
+
+def _with_numbers(array: Any) -> Any:
+    """Return a constant array as numbers, signals as they are."""
+    if not isinstance(array, Array):
+        return np.asarray(array, dtype=float)
+    numbers = numbers_of(array)
+    return array if numbers is None else numbers
+
+
+def _may_vary(points: Array, x: Array) -> bool:
+    """Return whether points are parameters, and x is more than time, which stops at numbers."""
+    tape = x._tape
+    lines = [tape.operations[k] for k in reached(tape.operations, [operand(x)])]
+    groups = {line.at[0] for line in lines if line.kind == "leaf"}
+    return not tape.free[operand(points)] and not groups.isdisjoint("xu")
 
 
 # --- SciPy's interpolators -----------------------------------------------------------------------

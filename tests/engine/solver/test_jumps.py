@@ -17,6 +17,7 @@ from engine_runs import (
     Status,
     compare_backends,
     side_by_side,
+    wiring_of,
 )
 from error_sentences import says
 from hypothesis import given, settings
@@ -94,9 +95,8 @@ def test_a_jump_before_time_0_is_refused_and_none_is_missed():
 
 @every_engine
 def test_a_given_interval_does_not_end(engine):
-    found = ENGINES[engine](clpt.connect([saw()]), {"saw.interval": 0.0}).run(
-        [0.0], [0.0, 2.5]
-    )
+    wiring = wiring_of(clpt.connect([saw()]), {"saw.interval": 0.0})
+    found = ENGINES[engine](wiring).run([0.0], [0.0, 2.5])
     np.testing.assert_allclose(found.x[-1], [2.5], atol=1e-12)
 
 
