@@ -28,6 +28,7 @@ from ...paper.blocks.lyapunov import lyapunov_candidate, weighted
 from ...paper.laws.law import LEARNED, Truth
 from ...simulation.user_components import functions_of
 from ..algebra.exact import normal_form
+from ..proofs.steps import of_user
 from ..proofs.symbolic_loop import (
     TIME,
     SymbolicLoop,
@@ -195,7 +196,7 @@ def user_V(V: Callable[..., Any], law: Block) -> LawV:
 
     def make(truth: Truth) -> Block:
         count = len(signature(V).parameters)
-        block = V(*(truth, law.parameters)[:count])
+        block = of_user(f"{law.name}: V", V)(*(truth, law.parameters)[:count])
         if not isinstance(block, Block) or block.output_ports != {"V": 1}:
             raise DiagramError(f"{block}: a candidate makes V[1] and nothing else")
         read_anew(block)
@@ -204,7 +205,9 @@ def user_V(V: Callable[..., Any], law: Block) -> LawV:
     scenario = theorem_scenario(functions_of(law), "learned-flow")
     try:
         make(truth_of(scenario))
-    except AttributeError:  # the truth alone has no signals
+    except DiagramError as error:  # the truth alone has no signals
+        if not isinstance(error.__cause__, AttributeError):
+            raise
         return LawV(partial(_block_of_signals, V, law))
     return LawV(make)
 

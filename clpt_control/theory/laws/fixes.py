@@ -22,6 +22,7 @@ from ...simulation.loops import ClosedLoop
 from ..algebra.decided import decided
 from ..algebra.exact import vanishes
 from ..proofs.same_as_running import running_step
+from ..proofs.statements import said
 from ..proofs.steps import Step, exact_step
 from ..proofs.symbolic_loop import equated, symbolic_loop
 from .theorem_loop import law_and_V, rate_of_V, theorem_scenario
@@ -32,6 +33,7 @@ SEND, ARRIVE = 1, 2  # intervals that begin with a fix, and with its arrival
 OUTSIDE = ("phi_x", "phi_z", "v_x", "fix", "taken")
 MOVING = ("x", "z", "m")  # states that change between fixes
 READ = ("alpha", "z", "information")  # and those that others read as they are
+CHANGE = "(|w|^2 - r^2 |y|^2/(r^2 + m^T P m))/2"  # of V at a fix
 LARGEST_W = "omega + G kappa B^(1/2)"
 COQ = "checked by Coq: theory/coq/LawFixRegression.v, fix_regression_bound"
 States = dict[str, np.ndarray]
@@ -150,17 +152,16 @@ def fix_steps(law: Law, points: int) -> list[Step]:
     """Check a law that learns at fixes, for N = 1, 2."""
     cases = [AtFixes(law, N, late) for N in SIZES_AT_FIXES for late in (False, True)]
     claims = {
-        "between fixes V' = 0, P' = 0 and (x - z - eta m)' = 0 where phi(x) = phi(z), "
-        "whatever v is flown": AtFixes.stays,
-        "at a fix with y = eta m + w, for any w, V changes by "
-        "(|w|^2 - r^2 |y|^2/(r^2 + m^T P m))/2, P^-1 rises by m m^T/r^2 and x - z = eta m - w, "
+        "between fixes V' = 0, `P' = 0` and `(x - z - eta m)' = 0` where `phi(x) = phi(z)`, "
+        "whatever `v` is flown": AtFixes.stays,
+        f"at a fix with `y = eta m + w`, for any `w`, V changes by `{CHANGE}`, "
+        "`P^-1` rises by `m m^T/r^2` and `x - z = eta m - w`, "
         "also where it arrives late; one missing or on its way changes nothing": AtFixes.learns,
     }
     steps = [
         exact_step(cases, claim, check, "values fixes")
         for claim, check in claims.items()
     ]
-    bounded = Step(
-        f"|w| <= {LARGEST_W}, for every N", True, "cited", COQ, shows="fixes"
-    )
+    claim = said(f"`|w| <= {LARGEST_W}`, for every N")
+    bounded = Step(claim, True, "cited", COQ, shows="fixes")
     return [*steps, bounded, running_step(lambda: cases[-1].loop, points)]

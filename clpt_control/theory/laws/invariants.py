@@ -38,6 +38,7 @@ import numpy as np
 import sympy
 from sympy.core.function import AppliedUndef
 
+from ...base.arguments import check_known
 from ...engine.model.block import Block
 from ...engine.record.symbolic import extent
 from ...paper.laws.law import Law
@@ -49,7 +50,7 @@ from ..proofs.answers import Definite, Fall
 from ..proofs.conclusions import Condition
 from ..proofs.rate_as_sum import Ways
 from ..proofs.relations import Relations, forks
-from ..proofs.statements import CLPE_GOES
+from ..proofs.statements import CLPE_GOES, said
 from ..proofs.steps import Step, exact, exact_step
 from ..proofs.symbolic_loop import TIME, SymbolicLoop, equated, symbolic_loop
 from .law_candidate import LoopCandidate
@@ -75,7 +76,7 @@ from .theorem_loop import (
 
 Claims = dict[str, tuple[str, Callable[[Any], bool | str]]]
 NOTHING = MappingProxyType[str, Any]({})
-IN_THE_MEAN = "|e| <= |eta phi| over the least of KD"
+IN_THE_MEAN = said("`|e| <= |eta phi|` over the least of `KD`")
 
 
 class Invariants(LoopCandidate):
@@ -117,7 +118,12 @@ class Invariants(LoopCandidate):
         p, truth = loop.parameters[block.name], truth_in(loop)
         assert law.invariants is not None
         self.parameters, self.c = p, arbitrary(2 * self.N).reshape(2, self.N)
-        self.stated = equated(self.states, law.invariants(self.states, p, truth))
+        for argument in ("semidefinite", "start", "invariants"):
+            stated = getattr(self if argument == "start" else law, argument)
+            if callable(stated):
+                stated = stated(self.states, p, truth)
+            check_known(f"{block.name}: {argument}", stated, self.states)
+        self.stated = equated(self.states, stated)
         self.relations = Relations(loop, self.motion, self.masked)
         self.reduced = self.relations.of
         for s, value in self.stated.items():
@@ -287,10 +293,10 @@ class Invariants(LoopCandidate):
         """Return the states that V bounds, where V and what V' loses are not negative."""
         bounded, exist, _ = self.known_states
         names = ", ".join(self.law.semidefinite)
-        premise = f"with {names} >= 0 " * bool(names)
+        premise = f"with `{names} >= 0`, " * bool(names)
         terms = {self.V, *chain.from_iterable(self.losses)}
         holds = all(map(self.not_negative, terms))
-        claim = f"{premise}V and what V' loses are not negative"
+        claim = said(f"{premise}V and what V' loses are not negative")
         step = exact(claim, holds, "", "definite")
         return Definite(step, [*bounded], exist=exist)
 
@@ -300,15 +306,16 @@ class Invariants(LoopCandidate):
             exact_step([self], claim, check, shows)
             for claim, (shows, check) in claims_of(self).items()
         ]
-        fall = Fall(steps, f"V' = {self.law.V_rate}", residual=self.residual)
+        claim = said(f"V' = `{self.law.V_rate}`")
+        fall = Fall(steps, claim, residual=self.residual)
         if self.law.driving_estimate:
             fall.steps.append(mean_square())
             fall.bound = IN_THE_MEAN
         else:
             e = self.loop.states["x"] - self.loop.states["z"]
-            fall.losses, fall.bound, fall.of = [*e], "e^T KD e", CLPE_GOES
+            fall.losses, fall.bound, fall.of = [*e], said("`e^T KD e`"), CLPE_GOES
         grown = self.known_states[2]
-        positive = f"{' and '.join(grown)} > 0" * bool(grown)
+        positive = said(" and ".join(f"`{M} > 0`" for M in grown))
         condition = "the relations hold" * (not self.is_row)
         fall.conditions = [
             Condition("start", text) for text in (condition, positive) if text
@@ -371,27 +378,26 @@ def claims_of(case: Invariants) -> Claims:
     if not case.is_row:
         claims["what is kept does not repel"] = "", _repels
     if case.loop.jumps:
-        claim = f"{', '.join(names)} >= 0 is not left where they jump"
+        claim = f"`{', '.join(names)} >= 0` is not left where they jump"
         claims[claim] = "", Invariants.semidefinite_after_a_jump
     if names:
         claims[
-            f"c^T M' c >= 0 where M c = 0, so M >= 0 is not left: {', '.join(names)}"
+            f"`c^T M' c >= 0` where `M c = 0`, so `M >= 0` is not left: `{', '.join(names)}`"
         ] = ("", lambda case: ", ".join(filterfalse(case.stays_semidefinite, names)))
     shows = "mean" if law.driving_estimate else "falls loses"
-    claims[f"V' as claimed, {sizes}: {law.V_rate}"] = (
+    claims[f"V' as claimed, {sizes}: `{law.V_rate}`"] = (
         shows,
         lambda case: case.left_over(decay),
     )
     if law.weighted_error:
         claims |= covariance_claims(law)
     if law.makes_estimate:
-        claims["the error of the estimate never grows: (d P^-1 d^T)' is as claimed"] = (
-            "",
-            Invariants.estimate_grows,
-        )
+        claims[
+            "the error of the estimate never grows: `(d P^-1 d^T)'` is as claimed"
+        ] = ("", Invariants.estimate_grows)
     if law.readout:
         claims[
-            f"{law.readout} is theta where its condition holds, and -alpha elsewhere"
+            f"{law.readout} is `theta` where its condition holds, and `-alpha` elsewhere"
         ] = "", _reads
     return claims
 

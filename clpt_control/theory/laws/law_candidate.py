@@ -189,19 +189,19 @@ class LawCandidate(LoopCandidate, SystemCandidate):
         squares = (
             k * e * (e - CLIP(e, -zone, zone) if zone else e) for k, e, zone in gains
         )
-        self.decay_text = "-D^T KD e" if any(self.zones) else "-e^T KD e"
+        self.decay_text = "D^T KD e" if any(self.zones) else "e^T KD e"
         if normal_form(self.decay + sympy.Add(*squares)) != 0:
-            self.decay_text = "-sum KD_i e_i dV/de_i"
+            self.decay_text = "sum KD_i e_i dV/de_i"
 
     def falls(self, definite: Definite) -> Fall:
         """Return what is shown of V': it falls, or e comes to a set."""
         residual, holds, text = self._below_decay()
-        below = f"V' {'=' if residual == 0 else '<='} {text}"
+        below = said(f"V' {'=' if residual == 0 else '<='} `-{text}`")
         detail = said("left over: {}", self.at_z(residual)) if residual != 0 else ""
         detail = detail if self.rises else "V is not known to rise with |e|"
-        claim = f"{below}, {self.sizes} and the parameters as they are"
+        claim = said("{}, {} and the parameters as they are", below, self.sizes)
         step = exact(claim, holds, "" if holds else detail, "falls loses")
-        fall = Fall([step], below, self.e, text.lstrip("-"), CLPE_GOES)
+        fall = Fall([step], below, self.e, said(f"`{text}`"), CLPE_GOES)
         if holds and any(self.zones):
             fall = self._comes_to_zones(text)
         fall.residual = residual
@@ -250,13 +250,13 @@ class LawCandidate(LoopCandidate, SystemCandidate):
         half = "/2" * decay.endswith("/2")
         zones = [*enumerate(map(float, self.zones), 1)]
         below = " and ".join(
-            f"|Delta_{i}| <= {at_least(zone)} KD_{i}{half}" for i, zone in zones
+            f"`|Delta_{i}| <= {at_least(zone)} KD_{i}{half}`" for i, zone in zones
         )
-        ends = " and ".join(f"|e_{i}| comes to {at_most(zone)}" for i, zone in zones)
-        where = [] if self.reads_flow else [Condition("truth", below)]
-        most = f"-D^T KD D{half}" if decay.startswith("-D^T") else "0"
-        claim = f"V' <= {most if where else decay}"
-        fields = {"losses": self.e, "of": ends, "conditions": where}
+        ends = " and ".join(f"`|e_{i}|` comes to {at_most(zone)}" for i, zone in zones)
+        where = [] if self.reads_flow else [Condition("truth", said(below))]
+        most = f"-D^T KD D{half}" if decay.startswith("D^T") else "0"
+        claim = said(f"V' <= `{most if where else f'-{decay}'}`")
+        fields = {"losses": self.e, "of": said(ends), "conditions": where}
         return bounded(claim, "zone falls", **fields)
 
     @property

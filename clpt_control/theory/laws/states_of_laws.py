@@ -36,14 +36,12 @@ from .theorem_loop import ErrorCoordinates, theorem_scenario
 
 START = (0.4, -0.7)  # of vehicle and learner
 BOUNDS = (  # of eta and P, as `covariance_rates` has what moves
-    "tr(eta P^-1 eta^T)' = -|eta phi_f|^2/r^2 - lambda tr(eta P^-1 eta^T): it never rises",
-    "(k_0 - tr P)' >= 0 where tr P = k_0: tr P <= k_0 is kept",
-    "(rho P)' = -rho (P phi_f) (P phi_f)^T/r^2: P^-1 >= rho P(0)^-1 at all times",
-    "P' + P phi_f phi_f^T P/r^2 = lambda P: P^-1 <= P(0)^-1 + int phi_f phi_f^T/r^2",
+    "`tr(eta P^-1 eta^T)' = -|eta phi_f|^2/r^2 - lambda tr(eta P^-1 eta^T)`: it never rises",
+    "`(k_0 - tr P)' >= 0` where `tr P = k_0`: `tr P <= k_0` is kept",
+    "`(rho P)' = -rho (P phi_f) (P phi_f)^T/r^2`: `P^-1 >= rho P(0)^-1` at all times",
+    "`P' + P phi_f phi_f^T P/r^2 = lambda P`: `P^-1 <= P(0)^-1 + int phi_f phi_f^T/r^2`",
 )
-BOUNDED_BY_V = (
-    "|eta|^2 <= tr P tr(eta P^-1 eta^T) <= k_0 tr(eta P^-1 eta^T): eta is bounded by V"
-)
+BOUNDED_BY_V = "`|eta|^2 <= tr P tr(eta P^-1 eta^T) <= k_0 tr(eta P^-1 eta^T)`: `eta` is bounded by V"
 
 
 @cache

@@ -17,7 +17,7 @@ import sympy
 from sympy.printing.str import StrPrinter
 
 from ...base.errors import DiagramError
-from ...engine.diagram.symbol_names import in_ascii
+from ...engine.diagram.typesetting import in_ascii
 
 FUNCTIONS = {
     "Abs": "Rabs",

@@ -17,6 +17,7 @@ import sympy
 from ...base.progress.interrupt import check
 from ..algebra.numeric_values import NumericValues
 from .point_search import PointSearch
+from .statements import said
 from .steps import Step, checked
 from .symbolic_loop import SymbolicLoop
 
@@ -156,5 +157,5 @@ def running_step(
         holds, detail = compare(search, search.wide(points), THROUGH_CONTROL)
         return holds, prefix + detail
 
-    claim = f"the running blocks give the same V'{suffix}"
+    claim = said("the running blocks give the same V'{}", suffix)
     return checked(claim, comparison, "sampled", False, "running")

@@ -400,8 +400,8 @@ class Bounding:
         push = outward(pull.push)
         if pull.rate == 0:
             c = self.letter("c")
-            mean = said("e^T KD e is at most 2 {}", c)
-            claim = said("V' <= -e^T KD e/2 + {}, {} = {}{}", c, c, push, more)
+            mean = said("`e^T KD e` is at most 2 {}", c)
+            claim = said("V' <= `-e^T KD e/2` + {}, {} = {}{}", c, c, push, more)
             return bounded(claim, "mean", bound=mean)
         rate = outward(pull.rate, up=False)
         if pull.rate.is_number and pull.push.is_number:
@@ -441,7 +441,7 @@ class Bounding:
         pull = self.pulled(sympy.expand(full))
         if pull is None:
             return None
-        more = said("; where {}, V' <= -e^T KD e without Delta", listed(conditions))
+        more = said("; where {}, V' <= `-e^T KD e` without `Delta`", listed(conditions))
         return self.pulled_to(Pull(pull.rate, pull.push + excess), more)
 
     def within_balls(self) -> Fall | None:
@@ -468,5 +468,5 @@ class Bounding:
             conditions.append((truth, radius))
         truths, radii = map(listed, zip(*conditions, strict=True))
         where = [Condition("start", radii), Condition("truth", truths)]
-        claim = said("V' <= -e^T KD e + e^T Delta, {} for good", radii)
+        claim = said("V' <= `-e^T KD e + e^T Delta`, {} for good", radii)
         return bounded(claim, "pulled", level, conditions=where)
