@@ -41,7 +41,10 @@ BOUNDS = (  # of eta and P, as `covariance_rates` has what moves
     "`(rho P)' = -rho (P phi_f) (P phi_f)^T/r^2`: `P^-1 >= rho P(0)^-1` at all times",
     "`P' + P phi_f phi_f^T P/r^2 = lambda P`: `P^-1 <= P(0)^-1 + int phi_f phi_f^T/r^2`",
 )
-BOUNDED_BY_V = "`|eta|^2 <= tr P tr(eta P^-1 eta^T) <= k_0 tr(eta P^-1 eta^T)`: `eta` is bounded by V"
+BOUNDED_BY_V = (
+    "`|eta|^2 <= tr P tr(eta P^-1 eta^T) <= k_0 tr(eta P^-1 eta^T)`: "
+    "`eta` is bounded by V"
+)
 
 
 @cache

@@ -40,7 +40,7 @@ from ..algebra.exact import (
 from ..algebra.facts import SIGN, has_time, is_continuous
 from ..algebra.slopes import along, meets_smoothly, slope_in
 from ..algebra.sums_of_squares import squares
-from ..algebra.texts import outward
+from ..algebra.texts import double, outward
 from .answers import Definite, Fall, Refutation
 from .between import as_relation, assume
 from .conclusions import Condition, Status
@@ -497,7 +497,7 @@ class SystemCandidate(LyapunovCandidate):
         conditions = [Condition("t >= 0")] * has_time(self.V, rate)
         conditions += [Condition(name, text) for name, text in texts if text]
         conditions += [Condition("rounding")] * self.is_rounded
-        values = ((s, f"{float(n):.15g}") for s, n in self.parameters.items())
+        values = ((s, double(n)) for s, n in self.parameters.items())
         listed = joined(", ", (said("{} = {}", *pair) for pair in values))
         return conditions + [Condition("values", listed)] * self.are_numbers
 

@@ -21,7 +21,7 @@ from ...base.errors import DiagramError
 from ...engine.diagram.symbol_names import TIME
 from ...engine.record.symbolic import rational
 from ..algebra.facts import CLIP, interval
-from ..algebra.texts import DIGITS, LARGEST
+from ..algebra.texts import DIGITS, LARGEST, double
 from .signal_functions import undefined_in
 from .statements import Statement, joined, said
 
@@ -30,7 +30,7 @@ MOST_TURNS = 360  # pi/360 is a share of pi
 MOST_CORNERS = 64
 ABOVE = 1e-6  # least value of a state above 0, at points
 MOST = sympy.Integer(10) ** 100  # size of a bound
-WAVES = sin, cos, tanh, exp  # may be taken as inputs
+RANGED = sin, cos, tanh  # from -1 to 1
 
 
 def rest_of(states: Sequence[Any], values: Mapping[str, float]) -> dict[Any, Expr]:
@@ -152,10 +152,10 @@ class Where:
     @property
     def bounds(self) -> Statement:
         """The bounds of inputs."""
-        parts = [("", d, f" = {float(value):.15g}") for d, value in self.values.items()]
+        parts = [("", d, f" = {double(value)}") for d, value in self.values.items()]
         for d, (low, high) in self.box.items():
-            least = f"{float(low):.15g} <= " * (low != -oo)
-            parts.append((least, d, f" <= {float(high):.15g}" * (high != oo)))
+            least = f"{double(low)} <= " * (low != -oo)
+            parts.append((least, d, f" <= {double(high)}" * (high != oo)))
         named = ((least, Symbol(f"{d.func}"), most) for least, d, most in parts)
         return joined(", ", (said("{}{}{}", *of_input) for of_input in named))
 
@@ -167,21 +167,25 @@ class Where:
         the rate may be taken as inputs.
         """
         expanded = sympy.expand(rate)
-        functions = [
-            e
-            for e in rate.atoms(*WAVES)
-            if waves and self.box and (e.func != exp or e.free_symbols == {TIME})
-        ]
+        ends = dict[Any, tuple]()
+        if waves and self.box:
+            ends = dict.fromkeys(rate.atoms(*RANGED), (-S.One, S.One))
+            slopes = ((e, e.args[0] / TIME) for e in rate.atoms(exp))
+            fading = (e for e, c in slopes if c.is_Rational and c.is_negative)
+            ends |= dict.fromkeys(fading, (S.Zero, S.One))
         for d in self.box:
             is_even = not expanded.xreplace({d**2: S.One}).has(d)
-            functions.append(d**2 if is_even else d)
-        names = {f: Dummy(real=True) for f in functions if expanded.has(f)}
-        as_inputs = self.at_corners(expanded.xreplace(names), names)
+            f = d**2 if is_even else d
+            ends[f] = range_in(f, self.box)
+        names = {f: Dummy(real=True) for f in ends if expanded.has(f)}
+        as_inputs = self.at_corners(expanded.xreplace(names), names, ends)
         # a function of an input without an end may come near its own end, and not to it
         is_open = {*self.box} - {*self.bounded}
         if as_inputs or (is_open and not waves):
             return as_inputs
-        return self.at_corners(*self.in_functions(expanded))
+        of_inputs, names = self.in_functions(expanded)
+        ends = {f: range_in(f, self.box) for f in names}
+        return self.at_corners(of_inputs, names, ends)
 
     def in_functions(self, expanded: Expr) -> tuple[Expr, dict]:
         """Return a rate with a symbol for each function of inputs, and these.
@@ -200,11 +204,13 @@ class Where:
                 )
         return Add(*(rest * weight for rest, weight in weights.items())), functions
 
-    def at_corners(self, rate: Expr, functions: Mapping[Any, Any]) -> list[tuple]:
+    def at_corners(
+        self, rate: Expr, names: Mapping[Any, Any], ends: Mapping[Any, tuple]
+    ) -> list[tuple]:
         """Return a rate where the symbols of functions are at their ends, as `corners` does."""
         corners: list[tuple] = [((), rate)]
-        for meaning, s in functions.items():
-            low, high = range_in(meaning, self.box)
+        for meaning, s in names.items():
+            low, high = ends[meaning]
             bends = [sympy.expand(at.diff(s, 2)) for _, at in corners]
             is_convex = all(b.is_nonnegative and not b.has(s) for b in bends)
             if not is_convex or high - low == oo or len(corners) >= MOST_CORNERS:
@@ -234,11 +240,11 @@ class Where:
 
 
 def range_in(function: Expr, box: Mapping[Any, tuple]) -> tuple:
-    """Return numbers between which a function is; sharp ones of a fraction of one input."""
+    """Return numbers between which a function of inputs is; sharp ones of a fraction of one."""
     if function in box:
         return box[function]
     inputs = [d for d in box if function.has(d)]
-    found = _range_of_fraction(function, *inputs, box) if len(inputs) == 1 else None
+    found = None if inputs[1:] else _range_of_fraction(function, inputs[0], box)
     if found is None:
         parts = {a: _within(*range_in(a, box)) for a in function.args if a.has(*inputs)}
         found = interval(function.xreplace(parts))
