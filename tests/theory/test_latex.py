@@ -5,45 +5,18 @@ import shutil
 import subprocess
 
 import pytest
+from latex_texts import well_formed
 from small_scenarios import paper_of
 from text_systems import written
 
 import clpt_control as clpt
 
-ENVIRONMENTS = {"proved": "theorem", "refuted": "proposition", "open": "conjecture"}
 FORGETTING = {"learning.composite_least_squares.forgetting": 0.1}  # that law needs one
-MATHEMATICS = r"\$[^$]*\$|\\\[(?s:.*?)\\\]"
-PYTHON = r"\*|`|(?<!\\)[_&#%]|[<>|]"  # no text of LaTeX
 
 
 def verdict_of(text, **more):
     """Return the verdict on equations and V as text."""
     return clpt.lyapunov(*written(text), **more)
-
-
-def well_formed(verdict):
-    """Return the LaTeX of a verdict, after a check of its braces, signs and environments."""
-    text = verdict.latex()
-    braces = re.sub(r"\\[{}]", "", text)
-    depth = 0
-    for letter in braces:
-        depth += (letter == "{") - (letter == "}")
-        assert depth >= 0, text
-    assert depth == 0
-    assert text.count("$") % 2 == 0
-    assert text.count(r"\left") == text.count(r"\right")
-    opened = []
-    for kind, name in re.findall(r"\\(begin|end)\{([a-z*]+)\}", text):
-        if kind == "begin":
-            opened.append(name)
-        else:
-            assert opened.pop() == name, text
-    assert opened == []
-    assert not re.search(PYTHON, re.sub(MATHEMATICS, "", text)), text
-    environment = ENVIRONMENTS[verdict.status]
-    assert text.startswith(rf"\begin{{{environment}}}")
-    assert (r"\begin{proof}" in text) == (verdict.status == "proved")
-    return text
 
 
 def test_a_linear_system_is_a_theorem():

@@ -41,7 +41,7 @@ def short(expression: Any, most: int | None = 160) -> str:
     >>> import sympy
     >>> x, gains = sympy.symbols("x"), [sympy.Rational(f"{1 + k / 7}") for k in range(12)]
     >>> short(gains[2] * x)
-    '1.2857142857142858*x'
+    '1.2857142857142856*x'
     >>> short(sympy.Poly(gains, x).as_expr(), 80)
     'x**11 + 1.14286*x**10 + 1.28571*x**9 + 1.42857*x**8 + 1.57143*x**7 ... (6 digits)'
     """
