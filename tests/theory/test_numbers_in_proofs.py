@@ -131,7 +131,7 @@ def test_a_rate_near_another_is_printed_as_itself():
     system = loop(lambda x, u, p: {"x": -x.x * ((x.x - 1) ** 2 + 1e-13)})
     rate = printed_rate(clpt.lyapunov(system, HALF))
     (x,) = rate.free_symbols
-    assert sympy.nsimplify(rate, rational=True).subs(x, 1) < 0
+    assert rate.subs(x, 1) < 0
 
 
 def test_a_long_rate_says_that_its_digits_are_few():
@@ -150,8 +150,8 @@ def test_a_long_rate_says_that_its_digits_are_few():
     assert verdict.status == "proved"
     assert "(6 digits)" in verdict.sentence
     assert len(verdict.sentence) <= 300
-    assert all(f"{number:.15g}" in verdict.claim.whole for number in numbers)
-    assert all(f"{number:.15g}" in verdict.latex() for number in numbers)
+    assert all(f"{float(number)!r}" in verdict.claim.whole for number in numbers)
+    assert all(f"{float(number)!r}" in verdict.latex() for number in numbers)
 
 
 # --- coqc ---------------------------------------------------------------------------------------

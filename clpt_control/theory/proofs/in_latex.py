@@ -96,7 +96,7 @@ def _statement(verdict: Any) -> Iterator[str]:
 
 def _equation(words: str, left: str, right: Any) -> str:
     """Return words with an equation in math mode, a long one in lines."""
-    lines = in_lines(typeset(right))
+    lines = _lines(right)
     if r"\\ &" in lines:
         return rf"{words} \[ \begin{{aligned}}{left} {{}}&{lines}.\end{{aligned}} \]"
     return rf"{words} $\displaystyle {left} {lines}$."
@@ -147,18 +147,23 @@ def _token(token: re.Match) -> str:
 
 
 def _typeset(form: Any) -> str:
-    """Return an expression in LaTeX, its long numbers rounded as in a line; or a formula."""
+    """Return an expression or a formula in LaTeX."""
     if isinstance(form, Formula):
         tokens = TOKEN.finditer(PRODUCT.sub("*", form))
         return COMMA.sub("$, $", "".join(map(_token, tokens)))
+    lines = _lines(form)
+    if r"\\ &" in lines:
+        return rf"\begin{{aligned}}[t]&{lines}\end{{aligned}}"
+    return lines
+
+
+def _lines(form: Any) -> str:
+    """Return an expression in LaTeX, its long numbers rounded to 17 digits."""
     short = rounded(form)
     whole = (n for n in short.atoms(sympy.Float) if n == int(n) and abs(n) < LARGEST)
     plain = {n: sympy.Integer(n) for n in whole}
     plain |= {s: AT_START for s in short.free_symbols if s.name == f"{AT_START}"}
-    lines = in_lines(typeset(short.xreplace(plain)))
-    return (
-        rf"\begin{{aligned}}[t]&{lines}\end{{aligned}}" if r"\\ &" in lines else lines
-    )
+    return in_lines(typeset(short.xreplace(plain)))
 
 
 def _escaped(text: str) -> str:
