@@ -5,6 +5,7 @@ from math import floor, log10
 from typing import Any
 
 import sympy
+from sympy import Add, Pow
 
 from ...base.units import at_least, at_most
 
@@ -21,7 +22,7 @@ def rounded(e: Any, digits: int = DIGITS) -> Any:
     if not _is_long(e):
         return e
     if e.is_Pow and _is_long(e.exp):
-        return sympy.Pow(rounded(e.base, digits), e.exp.n(digits))
+        return Pow(rounded(e.base, digits), e.exp.n(digits))
     if not e.is_number:
         return e.func(*(rounded(a, digits) for a in e.args))
     whole = e.round() if abs(e) < LARGEST else e
@@ -106,7 +107,7 @@ def outward(bound: Any, up: bool = True, keeps_short: bool = False) -> sympy.Exp
             is_exact = (e.is_Integer or keeps_short) and not _is_long(e)
             return e if is_exact else sympy.Float(text, 4)
         if e.is_Pow:
-            return sympy.Pow(in_digits(e.base, up != e.exp.is_negative), e.exp)
+            return Pow(in_digits(e.base, up != e.exp.is_negative), e.exp)
         number, factor = e.as_independent(*e.free_symbols, as_Add=False)
         if number != 1:
             up_rest, up = (up != bool(o.is_negative) for o in (number, factor))
@@ -125,9 +126,7 @@ def outward(bound: Any, up: bool = True, keeps_short: bool = False) -> sympy.Exp
         for term in e.args:
             coefficient, factor = term.as_coeff_Mul()
             groups.setdefault(coefficient, []).append(factor)
-        sums = [
-            sympy.Mul(c, sympy.Add(*g), evaluate=len(g) == 1) for c, g in groups.items()
-        ]
-        return sympy.Add(*sums, evaluate=False)
+        sums = [sympy.Mul(c, Add(*g), evaluate=len(g) == 1) for c, g in groups.items()]
+        return Add(*sums, evaluate=False)
 
     return grouped(in_digits(sympy.sympify(bound), up))

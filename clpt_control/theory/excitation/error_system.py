@@ -16,7 +16,7 @@ import sympy
 from scipy.integrate import trapezoid
 from scipy.interpolate import CubicHermiteSpline, interp1d
 from scipy.linalg import block_diag
-from sympy import Matrix
+from sympy import Matrix, diff
 
 from ...base.errors import DataError, DiagramError
 from ...base.run_attributes import DIAGRAM, RunDiagram
@@ -264,7 +264,7 @@ def error_system_of(
     V = V.xreplace(numbers)
     # Step 2: V is quadratic; its states are those of e and of th
     states = [*rates]
-    gradient = Matrix([sympy.diff(V, s) for s in states])
+    gradient = Matrix([diff(V, s) for s in states])
     H = gradient.jacobian(states).applyfunc(normal_form)
     if not all(entry.is_number for entry in H):
         raise DiagramError(
@@ -279,7 +279,7 @@ def error_system_of(
         )
 
     def falls_with(state: Any) -> bool:
-        return fall.has(state) and not _is_zero(sympy.diff(fall, state))
+        return fall.has(state) and not _is_zero(diff(fall, state))
 
     in_th = [k for k in own if str(states[k]) in names] or [
         k for k in own if not any(H[k, j] and falls_with(states[j]) for j in own)

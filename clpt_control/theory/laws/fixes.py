@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 import sympy
+from sympy import Expr
 
 from ...engine.diagram.interconnection import Diagram, connect
 from ...paper.laws.law import Law
@@ -79,7 +80,7 @@ class AtFixes:
         """Return eta m, m with that of a fix under way."""
         return self.eta(states) @ (states["m"] + states["waiting"] * states["m_sent"])
 
-    def V(self, states: States) -> sympy.Expr:
+    def V(self, states: States) -> Expr:
         """Return V = r^2 tr(eta P^-1 eta^T)/2 of the states, as its block has it."""
         substitutions = self.known | equated(self.loop.states, states)
         return self.loop.signals["V"][0].xreplace(substitutions)
@@ -117,7 +118,7 @@ class AtFixes:
         sent = sent if self.late else s["sent"]
         substitutions |= equated(s, {"waiting": got if self.late else 0, "sent": sent})
 
-        def states(new: dict[Any, sympy.Expr]) -> States:
+        def states(new: dict[Any, Expr]) -> States:
             put = np.vectorize(
                 lambda a: decided(a.xreplace(new).xreplace(substitutions)),
                 otypes=[object],

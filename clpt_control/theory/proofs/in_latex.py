@@ -12,7 +12,7 @@ from textwrap import TextWrapper
 from typing import Any
 
 import sympy
-from sympy import Symbol
+from sympy import Symbol, sympify
 
 from ...engine.diagram.typesetting import in_lines, typeset
 from ..algebra.texts import LARGEST, rounded
@@ -83,7 +83,7 @@ def _statement(verdict: Any) -> Iterator[str]:
     row = CONCLUSIONS[verdict.conclusion]
     if not row.requires & {"falls", "claimed"}:
         yield f"Claim: {written(claim)}."
-    level = "" if verdict.level is None else sympy.sympify(verdict.level)
+    level = "" if verdict.level is None else sympify(verdict.level)
     fields = {"of": verdict.of, "bound": verdict.bound or level, "level": level}
     words = said(row.sentence.removeprefix("so "), **fields)
     yield f"Conclusion: {written(words)}."
@@ -140,7 +140,7 @@ def _token(token: re.Match) -> str:
     if kind == "power":
         return f"^{{{text.strip('()')}}}".replace("T", r"\top")
     if kind == "number":
-        return typeset(sympy.sympify(text))
+        return typeset(sympify(text))
     if kind == "name" and text not in NAMED:
         return typeset(Symbol(text))
     return NAMED.get(text) or SIGNS.get(text, text)

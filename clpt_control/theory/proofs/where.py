@@ -14,7 +14,21 @@ from types import MappingProxyType
 from typing import Any
 
 import sympy
-from sympy import Add, Dummy, Expr, Mul, Rational, S, Symbol, cos, exp, oo, sin, tanh
+from sympy import (
+    Add,
+    Dummy,
+    Expr,
+    Mul,
+    Rational,
+    S,
+    Symbol,
+    cos,
+    exp,
+    expand,
+    oo,
+    sin,
+    tanh,
+)
 
 from ...base.arguments import check_known, finite
 from ...base.errors import DiagramError
@@ -166,7 +180,7 @@ class Where:
         it is at most the mean of the rates at the corners, and that mean if it is affine.  Waves in
         the rate may be taken as inputs.
         """
-        expanded = sympy.expand(rate)
+        expanded = expand(rate)
         ends = dict[Any, tuple]()
         if waves and self.box:
             ends = dict.fromkeys(rate.atoms(*RANGED), (-S.One, S.One))
@@ -211,14 +225,14 @@ class Where:
         corners: list[tuple] = [((), rate)]
         for meaning, s in names.items():
             low, high = ends[meaning]
-            bends = [sympy.expand(at.diff(s, 2)) for _, at in corners]
+            bends = [expand(at.diff(s, 2)) for _, at in corners]
             is_convex = all(b.is_nonnegative and not b.has(s) for b in bends)
             if not is_convex or high - low == oo or len(corners) >= MOST_CORNERS:
                 return []
             corners = [
                 (
-                    (*shares, sympy.expand((meaning - other) / (end - other))),
-                    sympy.expand(at.xreplace({s: end})),
+                    (*shares, expand((meaning - other) / (end - other))),
+                    expand(at.xreplace({s: end})),
                 )
                 for shares, at in corners
                 for end, other in ((low, high), (high, low))
