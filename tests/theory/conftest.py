@@ -28,7 +28,7 @@ def _statements_keep_their_parts(monkeypatch):
     def as_text(statement, spec):
         module = sys._getframe(1).f_globals["__name__"]
         is_printer = f"{STATEMENT}".startswith(module)
-        assert is_printer or not module.startswith("clpt_control"), (
+        assert is_printer or not module.startswith("clpt_control.theory"), (
             f"{module}: use said()"
         )
         return format(str(statement), spec)

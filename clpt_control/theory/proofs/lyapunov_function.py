@@ -171,8 +171,8 @@ def _searched(
         if verdict.status == "proved" and not missed:
             return verdict
         if best is None and verdict.status == "proved":
-            names = (getattr(of, "parts", (of,)) for of in missed)
-            names = joined(", ", (of[0] for of in names))
+            parts = (getattr(of, "parts", (of,)) for of in missed)
+            names = joined(", ", (of[0] for of in parts))
             claim = said("V found, but it does not contain {}", names)
             best = replace(
                 verdict, status="open", claim=claim, conclusion="", conditions=()
