@@ -115,7 +115,7 @@ def exact_step(
             result = check(case)
             if isinstance(result, str):
                 if result:
-                    return False, f"N = {case.N}: {result}"
+                    return False, said(f"N = {case.N}: {{}}", result)
             elif not result:
                 return False, ""
         return True, ""
