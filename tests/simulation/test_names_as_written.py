@@ -37,9 +37,13 @@ def test_two_samples_are_noted():
 @pytest.mark.parametrize(
     ("operation", "text", "latex"),
     [
-        (np.equal, "where(Eq(mode(t), 1), a(t), 0)", r"\mathrm{mode} = 1,a,0"),
-        (np.not_equal, "where(not_(Eq(mode(t), 1)), a(t), 0)", r"\mathrm{mode} = 1"),
-        (np.less_equal, "where(le(mode(t), 1), a(t), 0)", r"\mathrm{mode},1"),
+        (
+            np.equal,
+            "where(Eq(mode(t), 1), a(t), 0)",
+            r"a & \text{for}\: \mathrm{mode} = 1 \\0 &",
+        ),
+        (np.not_equal, "where(not_(Eq(mode(t), 1)), a(t), 0)", r"\mathrm{mode} \neq 1"),
+        (np.less_equal, "where(le(mode(t), 1), a(t), 0)", r"\mathrm{mode} \leq 1"),
     ],
 )
 def test_a_comparison_of_equals_is_an_equation(operation, text, latex):

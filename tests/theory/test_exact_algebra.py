@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from clpt_control import ClptError
 from clpt_control.theory.algebra.exact import factored, vanishes
 from clpt_control.theory.algebra.facts import CLIP, GT, MAXIMUM, SIGN, WHERE
+from clpt_control.theory.algebra.gram import sum_of_squares
 from clpt_control.theory.algebra.sums_of_squares import squares
 from clpt_control.theory.proofs.region import enclosed
 
@@ -175,3 +176,12 @@ def test_what_has_no_value_in_a_box_is_not_enclosed():
         sympy.gamma(X),
         box,
     )
+
+
+@pytest.mark.parametrize("power", [-400, 0, 400])
+def test_a_sum_of_squares_has_coefficients_that_no_double_holds(power):
+    """10^power ((x - y)^2 + x^2 + x^4)."""
+    p = sympy.expand(sympy.Integer(10) ** power * ((x - y) ** 2 + x**2 + x**4))
+    found = sum_of_squares(p)
+    assert sympy.expand(sum(w * g * form**2 for w, g, form in found.terms)) == p
+    assert all(w > 0 for w, _, _ in found.terms)

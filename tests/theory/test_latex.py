@@ -5,45 +5,18 @@ import shutil
 import subprocess
 
 import pytest
+from latex_texts import well_formed
 from small_scenarios import paper_of
 from text_systems import written
 
 import clpt_control as clpt
 
-ENVIRONMENTS = {"proved": "theorem", "refuted": "proposition", "open": "conjecture"}
 FORGETTING = {"learning.composite_least_squares.forgetting": 0.1}  # that law needs one
-MATHEMATICS = r"\$[^$]*\$|\\\[(?s:.*?)\\\]"
-PYTHON = r"\*|`|(?<!\\)[_&#%]|[<>|]"  # no text of LaTeX
 
 
 def verdict_of(text, **more):
     """Return the verdict on equations and V as text."""
     return clpt.lyapunov(*written(text), **more)
-
-
-def well_formed(verdict):
-    """Return the LaTeX of a verdict, after a check of its braces, signs and environments."""
-    text = verdict.latex()
-    braces = re.sub(r"\\[{}]", "", text)
-    depth = 0
-    for letter in braces:
-        depth += (letter == "{") - (letter == "}")
-        assert depth >= 0, text
-    assert depth == 0
-    assert text.count("$") % 2 == 0
-    assert text.count(r"\left") == text.count(r"\right")
-    opened = []
-    for kind, name in re.findall(r"\\(begin|end)\{([a-z*]+)\}", text):
-        if kind == "begin":
-            opened.append(name)
-        else:
-            assert opened.pop() == name, text
-    assert opened == []
-    assert not re.search(PYTHON, re.sub(MATHEMATICS, "", text)), text
-    environment = ENVIRONMENTS[verdict.status]
-    assert text.startswith(rf"\begin{{{environment}}}")
-    assert (r"\begin{proof}" in text) == (verdict.status == "proved")
-    return text
 
 
 def test_a_linear_system_is_a_theorem():
@@ -164,6 +137,14 @@ def test_theorem_3_2_is_typeset():
 
 SWING = "x' = v; v' = -sin(x) - d_1*v; V = v**2/2 + 1 - cos(x); d_1 = 0.5"
 LONG = "; ".join(f"x{k}' = -{k + 1}*x{k}**3 - x{k}*sin(x{k})**2" for k in range(12))
+KURAMOTO = (
+    "x' = -K*(sin(x - y) + sin(x - z)); y' = K*(sin(x - y) - sin(y - z)); "
+    "z' = K*(sin(x - z) + sin(y - z)); V = 3 - cos(x - y) - cos(y - z) - cos(x - z); K = 1"
+)
+PRODUCT = (
+    "x' = -x*y**2*(1 + sin(y)**2)*(2 + cos(y))*(3 + tanh(y))*exp(-y**2); y' = -y; "
+    "V = x**2/2 + y**2/2"
+)
 OF_EACH_KIND = [
     (SWING, {}),
     (LONG, {}),
@@ -177,6 +158,15 @@ OF_EACH_KIND = [
     ("γ' = -θ*γ; é' = -é; θ = 3", {}),
     ("x' = -x + d; V = x**2; input d", {"where": {"d": (-1, 2)}}),
     ("x' = -x + x*y; y' = -y; V = x**2 + y**2", {"within": {"x": (-2, 2), "y": (-2, 2)}}),
+    ("x' = -maximum(x, 0) - 2*minimum(x, 0); V = x**2/2", {}),
+    ("x' = -where(x > 1, 2*x, x); V = x**2/2", {}),
+    ("x' = -abs(x)*x; V = x**2/2", {}),
+    ("x' = -x + y; y' = -x - where(abs(y) > 1, y, 2*y); V = x**2/2 + y**2/2", {}),
+    ("x' = -x - 1.0000000000000002*x**3; V = x**2/2", {}),
+    (KURAMOTO, {}),
+    ("x' = -x/(1 + x**2) - x*exp(-x**2)*cos(x)**2; V = x**2/2", {}),
+    (PRODUCT, {}),
+    ("x' = -x + d*y; y' = -y - d*x; V = x**2 + y**2; input d", {}),
 ]  # fmt: skip
 ARTICLE = r"""\documentclass{article}
 \usepackage{amsmath,amsthm}
@@ -199,6 +189,38 @@ def test_latex_of_each_kind_compiles(tmp_path):
     command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "all.tex"]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True)
     assert done.returncode == 0, done.stdout[-800:]
+    assert not re.search(
+        r"Overfull \\hbox \(\d\d", done.stdout
+    )  # by a millimetre or two
+
+
+def test_choices_and_limits_are_set_as_in_a_paper():
+    """max, min and cases, for what NumPy calls maximum, minimum and where."""
+    text = well_formed(verdict_of("x' = -maximum(x, 0) - 2*minimum(x, 0); V = x**2/2"))
+    assert r"\max\left(0, x\right)" in text
+    assert r"\min\left(0, x\right)" in text
+    assert (
+        r"\begin{cases}"
+        in clpt.equations(written("x' = -where(x > 1, 2*x, x)")[0]).latex()
+    )
+
+
+def test_a_long_rate_is_broken_into_lines():
+    """V' of three oscillators; brackets with a break in them have no left and right."""
+    text = well_formed(verdict_of(KURAMOTO))
+    rate = text[text.index("Then") : text.index("Conclusion")]
+    lines = re.split(r"\\\\ &", rate)
+    assert len(lines) > 3
+    for line in lines:
+        assert len(re.sub(r"\\[a-z]+|[{}^_ ]", "", line)) < 80
+        assert line.count(r"\left(") == line.count(r"\right)")
+
+
+def test_claims_of_a_law_are_mathematics():
+    """V' of the known-flow law is written by hand, in arrays."""
+    text = well_formed(clpt.prove("known-flow", points=5))
+    known = r"-e^{\top}\,K_D\,e + e^{\top}\,(\theta - \theta_{\mathrm{hat}})\,\phi"
+    assert rf"\item $\dot V = {known}$, for every $N$ (exact)" in text
 
 
 def test_conclusions_and_conditions_are_mathematics():

@@ -7,8 +7,6 @@ parameter with the name of a state or an output of its block is "plant.parameter
 these rules; a theory may define other rules in a subclass.
 """
 
-import re
-import unicodedata
 from collections import Counter
 from collections.abc import Iterable, Set
 from math import prod
@@ -16,7 +14,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import sympy
-from sympy.core.function import AppliedUndef
 
 from ..model.ports import ports_of
 from ..model.system import System, is_linear
@@ -25,58 +22,6 @@ from ..record.symbolic import rational
 from .wiring import Node, Wiring
 
 TIME = sympy.Symbol("t", real=True)
-
-
-def typeset(expression: Any, accent: str = "{}") -> str:
-    """Return an expression as LaTeX, ``plant.x[0]`` as an x with its index and its block.
-
-    The accent, such as a dot, is set over each letter, not over its index.
-    """
-    expression = with_equations(sympy.sympify(expression))
-    inputs = {}
-    for function in expression.atoms(AppliedUndef):
-        if function.args == (TIME,):
-            inputs[function] = sympy.Symbol(str(function.func))
-    expression = expression.xreplace(inputs)
-    latex = {}
-    for symbol in expression.free_symbols:
-        block, _, label = str(symbol).rpartition(".")
-        name, _, index = in_ascii(label.rstrip("]")).partition("[")
-        text = sympy.latex(sympy.Symbol(name))
-        if text == name and len(name) > 1 and "{" not in name:
-            text = rf"\mathrm{{{name}}}"
-        letter, underscore, own_index = text.partition("_")
-        text = accent.format(letter) + underscore + own_index
-        if index:
-            text = f"{{{text}}}_{{{index.replace('][', ',')}}}"
-        if block:
-            text += rf"^{{\mathrm{{{block}}}}}".replace("_", r"\_")
-        latex[symbol] = text
-    return sympy.latex(expression, symbol_names=latex, mul_symbol=r"\,")
-
-
-def in_ascii(name: str) -> str:
-    """Return a name with Greek letters as words, ``gamma``, and letters without accents."""
-
-    def word(letter: re.Match) -> str:
-        _, size, *_, word = unicodedata.name(letter[0]).split()
-        return word.title() if size == "CAPITAL" else word.lower()
-
-    plain = re.sub("[Α-ω]", word, unicodedata.normalize("NFKD", name))
-    return plain.encode("ascii", "ignore").decode()
-
-
-def with_equations(expression: Any) -> Any:
-    """Return an expression in which a <= b and a >= b is the equation a = b."""
-
-    def is_pair(e: Any) -> bool:
-        names = [str(getattr(a, "func", "")) for a in e.args]
-        return names == ["le", "ge"] and e.args[0].args == e.args[1].args
-
-    return expression.replace(
-        lambda e: str(e.func) == "and_" and is_pair(e),
-        lambda e: sympy.Eq(*e.args[0].args, evaluate=False),
-    )
 
 
 def element_name(port: str, shape: Shape, index: tuple) -> str:

@@ -29,16 +29,8 @@ from ..record.unread import Unread
 from ..trace.arrays import Tape, operand
 from .block_numbers import Params
 from .merged_record import TapeRecord
-from .symbol_names import (
-    TIME,
-    Names,
-    NamesWithNumbers,
-    element_name,
-    fields_of,
-    groups,
-    typeset,
-    with_equations,
-)
+from .symbol_names import TIME, Names, NamesWithNumbers, element_name, fields_of, groups
+from .typesetting import in_lines, typeset, with_equations
 from .wiring import Node, Part, Wiring, read_anew, wiring_of
 
 # watch("block.role", operation, its arguments on symbols) returns a remark or None
@@ -209,10 +201,8 @@ class Equations:
         """
         lines = []
         for line in self._lines(typeset, _left_side, r"\text{ at }"):
-            is_equation = " = " in line
-            lines.append(
-                line.replace(" = ", " &= ", 1) if is_equation else r"\dots &= "
-            )
+            left, equals, right = line.partition(" = ")
+            lines.append(f"{left} &= {in_lines(right)}" if equals else r"\dots &= ")
         return "\\begin{aligned}" + r" \\ ".join(lines) + "\\end{aligned}"
 
     def _repr_latex_(self) -> str:

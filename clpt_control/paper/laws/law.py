@@ -235,7 +235,7 @@ class Law(NamedTuple):
     # a state w with w' <= 0: the error of each parameter is w times its initial error
     error_left: str = ""
     readout: str = ""  # an output that is theta once w has fallen
-    V_rate: str = ""  # V' as text
+    V_rate: str = ""  # V' as a formula
     promises: tuple[Promise, ...] = ()
     # a reason for which the law may break its promise, or ""
     doubt: Callable[[Any, Truth], str] = lambda p, truth: ""

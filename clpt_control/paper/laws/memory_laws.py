@@ -458,7 +458,6 @@ FIX_REGRESSION = Law(
     candidate=fix_level,
     V_inputs=("alpha", "information"),
     between_fixes=lambda P, time, p: P,
-    V_rate="0; at a fix V changes by (|w|^2 - r^2 |y|^2/(r^2 + m^T P m))/2, w = y - eta m",
 )
 
 LAWS = (COMPOSITE_MEMORY, CONCURRENT, DREM, FIX_REGRESSION)

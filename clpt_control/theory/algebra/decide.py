@@ -12,7 +12,7 @@ from itertools import combinations, islice, pairwise, product
 
 import numpy as np
 import sympy
-from sympy import Dummy, Expr, Mul, S, expand
+from sympy import Add, Derivative, Dummy, Expr, Mul, Pow, S, Tuple, diff, expand, oo
 
 from ...base.errors import DiagramError
 from ...engine.diagram.symbol_names import TIME
@@ -68,7 +68,7 @@ def positive_somewhere(expression: Expr) -> bool:
 
     Derivatives of inputs may have any value.
     """
-    slopes = {d: Dummy(real=True) for d in expression.atoms(sympy.Derivative)}
+    slopes = {d: Dummy(real=True) for d in expression.atoms(Derivative)}
     try:
         numbers = NumericValues(expression.xreplace(slopes))
     except DiagramError:
@@ -103,7 +103,7 @@ def without_fading(expression: Expr, variables: set) -> Expr | None:
     positive where f_k is not zero: clip(s, 0, 1) is not where s >= 0.
     """
     polynomials: dict[Expr, Expr] = {}
-    for term in sympy.Add.make_args(expand(expression)):
+    for term in Add.make_args(expand(expression)):
         factors = Mul.make_args(term)
         common = Mul(*(f for f in factors if not f.is_polynomial(*variables)))
         polynomials.setdefault(common, S.Zero)
@@ -145,13 +145,13 @@ def _is_nonnegative(factor: Expr) -> bool:
 
 def _inputs_in(expression: Expr) -> set:
     """Return the inputs in an expression, and their derivatives."""
-    return {*inputs_in(expression), *expression.atoms(sympy.Derivative)}
+    return {*inputs_in(expression), *expression.atoms(Derivative)}
 
 
 @lru_cache(maxsize=10_000)
 def by_gram(expression: Expr, conditions: tuple[Expr, ...] = ()) -> bool:
     """Write it as -sum g form^2, each function a symbol with what is known of it (`gram`)."""
-    problem = sympy.Tuple(expression, *conditions)
+    problem = Tuple(expression, *conditions)
     functions = functions_in(problem)
     if len(functions) > MOST_FUNCTIONS:
         return False
@@ -168,7 +168,7 @@ def by_gram(expression: Expr, conditions: tuple[Expr, ...] = ()) -> bool:
     if not all(map(_is_nonnegative, Mul.make_args(divisor))):
         return False
     polynomials, total = [*map(expand, expressions[1:])], expand(-numerator)
-    lifted = 1 + sympy.Add(*(s**2 for s in total.free_symbols))
+    lifted = 1 + Add(*(s**2 for s in total.free_symbols))
     return bool(
         sum_of_squares(total, polynomials)
         or (not polynomials and sum_of_squares(expand(total * lifted)))
@@ -188,7 +188,7 @@ def _group_never_positive(group: Expr, variables: set) -> bool:
     """Return whether one of the tests shows that a group is never positive."""
     if group == 0:
         return True
-    if len(sympy.Add.make_args(group)) > MOST_IN_GROUP:
+    if len(Add.make_args(group)) > MOST_IN_GROUP:
         return False
     signed = _signed(group)
     return any(test(signed, variables) for test in GROUP_TESTS)
@@ -208,10 +208,10 @@ def _signed(product: Expr) -> Expr:
 
 def _by_factors(group: Expr, variables: set) -> bool:
     """Factor a group and test the product of the factors that may be negative."""
-    exponents = [power.exp for power in group.atoms(sympy.Pow)]
+    exponents = [power.exp for power in group.atoms(Pow)]
     if not all(n.is_Integer and n <= HIGHEST for n in exponents):
         return False
-    if functions_in(group) and len(sympy.Add.make_args(group)) > MOST_WITH_FUNCTIONS:
+    if functions_in(group) and len(Add.make_args(group)) > MOST_WITH_FUNCTIONS:
         return False
     product = _without_nonnegative_factors(group)
     if interval(product)[1].is_nonpositive:
@@ -262,8 +262,8 @@ def _at_sector_ends(
     """Test a polynomial, if it is convex in each ratio q, at the ends of the sectors."""
     pairs = [*zip(ratios, sectors, strict=True)]
     for ratio, sector in pairs:
-        curvature = sympy.diff(polynomial, ratio, 2)
-        is_convex = curvature.is_nonnegative and sector.high < sympy.oo
+        curvature = diff(polynomial, ratio, 2)
+        is_convex = curvature.is_nonnegative and sector.high < oo
         if curvature != 0 and not is_convex:
             return False
     functions = {q: sector.factor * q + sector.offset for q, sector in pairs}
@@ -273,8 +273,8 @@ def _at_sector_ends(
     corners = [expand(expression)]
     for ratio, sector in pairs:
         lower = [corner.xreplace({ratio: sector.low}) for corner in corners]
-        if sector.high == sympy.oo:  # the slope counts
-            upper = [sympy.diff(corner, ratio) for corner in corners]
+        if sector.high == oo:  # the slope counts
+            upper = [diff(corner, ratio) for corner in corners]
         else:
             upper = [corner.xreplace({ratio: sector.high}) for corner in corners]
         corners = lower + upper
@@ -336,7 +336,7 @@ def without_choices(expression: Expr, variables: set) -> Expr | None:
     inner = {f for choice in choices for a in choice.args for f in functions_in(a)}
     words = {choice: Dummy(real=True) for choice in choices - inner}
     linear = expression.xreplace(words)
-    slopes = sympy.Tuple(*(linear.diff(word) for word in words.values()))
+    slopes = Tuple(*(linear.diff(word) for word in words.values()))
     if not words or slopes.has(*words.values()):
         return None
     conditions = {choice.args[0] for choice in words}
@@ -374,7 +374,7 @@ def _without_conditions(e: Expr, conditions: tuple[Expr, ...]) -> Expr:
 
 def _without_root(condition: Expr) -> Expr:
     """Return a condition of the same sign without its root: s - c^2 of sqrt(s) - c, c >= 0."""
-    for root in condition.atoms(sympy.Pow):
+    for root in condition.atoms(Pow):
         slope = condition.coeff(root)
         if root.exp == S.Half and slope.is_number and slope != 0:
             least = expand(root - condition / slope)

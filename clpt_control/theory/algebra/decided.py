@@ -6,7 +6,7 @@ gt(2, 1)  ->  1        where(1, a, b)  ->  a        lt(|s|, c)  ->  and_(lt(s, c
 from typing import Any
 
 import sympy
-from sympy import Expr
+from sympy import Abs, Expr, Function, Integer
 from sympy.core.function import AppliedUndef
 
 from .facts import COMPARISONS, LOGIC, fact_of, functions_in
@@ -30,7 +30,7 @@ def _outcome(call: Any) -> Any:
     if name in COMPARISONS:
         truth = COMPARISONS[name](*arguments)
         if truth in (True, False):
-            return sympy.Integer(bool(truth))
+            return Integer(bool(truth))
         return _without_size(call)
     if name in LOGIC:
         is_known = any(are_numbers) and all(map(is_truth, arguments))
@@ -59,20 +59,20 @@ def _truth_of(call: Any) -> Any:
     if len(atoms) <= MOST_ATOMS:
         statement = sympy.simplify_logic(statement, force=True)
     is_decided = statement in (sympy.true, sympy.false)
-    return sympy.Integer(bool(statement)) if is_decided else call
+    return Integer(bool(statement)) if is_decided else call
 
 
 def _without_size(call: Any) -> Any:
     """Return a comparison of |s| with a number or a parameter as two of s."""
     (size, c), name = call.args, call.func.__name__
     other = {"lt": "gt", "gt": "lt", "le": "ge", "ge": "le"}
-    if isinstance(c, sympy.Abs):
+    if isinstance(c, Abs):
         size, c, name = c, size, other[name]
-    if not isinstance(size, sympy.Abs) or functions_in(c):
+    if not isinstance(size, Abs) or functions_in(c):
         return call
     is_small = name in ("lt", "le")
-    (s,), word = size.args, sympy.Function("and_" if is_small else "or_", real=True)
-    two = (sympy.Function(f, real=True) for f in (name, other[name]))
+    (s,), word = size.args, Function("and_" if is_small else "or_", real=True)
+    two = (Function(f, real=True) for f in (name, other[name]))
     return word(*(f(s, end) for f, end in zip(two, (c, -c), strict=True)))
 
 

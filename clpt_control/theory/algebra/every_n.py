@@ -25,7 +25,7 @@ from typing import Any
 
 import numpy as np
 import sympy
-from sympy import Expr, S, Symbol
+from sympy import Add, Expr, Mul, S, Symbol, expand
 
 from ...engine.record.graph import Ref
 from ...engine.record.scalar_graph import Index
@@ -81,9 +81,9 @@ def depends_on(expression: Expr, index: str) -> bool:
 def summed(body: Expr, index: str, size: str) -> Expr:
     """Return sum_k body(k) as a polynomial in atoms."""
     total = S.Zero
-    for term in sympy.Add.make_args(sympy.expand(body)):
+    for term in Add.make_args(expand(body)):
         constant, summand, indices = S.One, S.One, [(index, size)]
-        for factor in sympy.Mul.make_args(term):
+        for factor in Mul.make_args(term):
             base, power = factor.as_base_exp()
             if not depends_on(factor, index):
                 constant *= factor
@@ -132,12 +132,12 @@ def _atom(summand: Expr, indices: list[tuple[str, str]]) -> Expr:
 def base_and_term(expression: Expr) -> tuple[Expr, Expr]:
     """Return base and term of base + sum_k term(k); other expressions are rejected."""
     base, term = S.Zero, S.Zero
-    for summand in sympy.Add.make_args(sympy.expand(expression)):
+    for summand in Add.make_args(expand(expression)):
         if not summand.has(SUM):
             base += summand
             continue
-        atoms = [f for f in sympy.Mul.make_args(summand) if f.func == SUM]
-        factor = summand / sympy.Mul(*atoms)
+        atoms = [f for f in Mul.make_args(summand) if f.func == SUM]
+        factor = summand / Mul(*atoms)
         if len(atoms) != 1 or len(atoms[0].args) != 3 or factor.has(SUM):
             raise Unread(f"{summand} is not a sum over one index")
         renamed = {_indices(atoms[0])[0]: "k"}

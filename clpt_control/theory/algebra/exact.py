@@ -12,7 +12,21 @@ from types import MappingProxyType
 from typing import Any
 
 import sympy
-from sympy import Expr, Mul, Pow, S, expand
+from sympy import (
+    Add,
+    Dummy,
+    Expr,
+    Function,
+    Mul,
+    Pow,
+    Rational,
+    S,
+    Symbol,
+    cosh,
+    exp,
+    expand,
+    sinh,
+)
 from sympy.core.function import AppliedUndef
 from sympy.polys.polyconfig import using
 from sympy.polys.rings import PolyElement, PolyRing
@@ -33,7 +47,7 @@ HIGHEST_REWRITTEN = 100  # higher powers stay as they are
 FACTOR_CONFIGURATIONS = 20
 NO_VALUES = MappingProxyType[Any, Any]({})
 # even function -> the odd function and the sign in 1 - sin^2, 1 + sinh^2
-PYTHAGOREAN = {sympy.cos: (sympy.sin, -1), sympy.cosh: (sympy.sinh, 1)}
+PYTHAGOREAN = {sympy.cos: (sympy.sin, -1), cosh: (sinh, 1)}
 
 
 @lru_cache(maxsize=1000)  # much is the same for each N
@@ -44,7 +58,7 @@ def vanishes(expression: Any) -> bool:
     generators = p.ring.symbols
     is_decided = p == 0 or q == 0
     if not is_decided and any(
-        not isinstance(g, sympy.Symbol | AppliedUndef) for g in generators
+        not isinstance(g, Symbol | AppliedUndef) for g in generators
     ):
         p, q = map(expand, sympy.fraction(sympy.together(expression)))
     return p == 0 and q != 0
@@ -138,11 +152,11 @@ def normal_form(expression: Expr) -> Expr:
         raise DiagramError(
             f"V' has more than {MOST_TERMS} terms. Make the law or its N smaller"
         )
-    exponentials = expression.atoms(sympy.exp)
-    is_nested = any(e.args[0].atoms(sympy.exp) for e in exponentials)
+    exponentials = expression.atoms(exp)
+    is_nested = any(e.args[0].atoms(exp) for e in exponentials)
     if exponentials and not is_nested:
         # as symbols: SymPy would multiply them into denominators
-        symbols = {e: sympy.Dummy(str(e), positive=True) for e in exponentials}
+        symbols = {e: Dummy(str(e), positive=True) for e in exponentials}
         original = {symbol: e for e, symbol in symbols.items()}
         plain = normal_form(expression.xreplace(symbols)).xreplace(original)
         return expand(plain, deep=False, power_exp=False)
@@ -157,8 +171,8 @@ def normal_form(expression: Expr) -> Expr:
 def with_tanh(expression: Expr) -> Expr:
     """Write sinh as tanh cosh where cosh has a power, as in derivatives of log(cosh)."""
     bases = {power.base for power in expression.atoms(Pow)}
-    angles = [base.args[0] for base in bases if isinstance(base, sympy.cosh)]
-    products = {sympy.sinh(a): sympy.tanh(a) * sympy.cosh(a) for a in angles}
+    angles = [base.args[0] for base in bases if isinstance(base, cosh)]
+    products = {sinh(a): sympy.tanh(a) * cosh(a) for a in angles}
     return expand(expression.xreplace(products)) if products else expression
 
 
@@ -213,10 +227,10 @@ def without_rounding(e: Expr, values: Mapping[Any, Expr] = NO_VALUES) -> Expr:
     numbers.
     """
     numbers = _numbers_in(e, values)
-    if not numbers and all(n.q <= LARGEST for n in e.atoms(sympy.Rational)):
+    if not numbers and all(n.q <= LARGEST for n in e.atoms(Rational)):
         return e
     numbers |= values
-    inexact = sympy.Dummy(positive=True)
+    inexact = Dummy(positive=True)
 
     def size(e: Expr) -> Expr:
         if e.is_Rational:
@@ -234,13 +248,13 @@ def without_rounding(e: Expr, values: Mapping[Any, Expr] = NO_VALUES) -> Expr:
             return abs(numbers[call] * call.exp.xreplace(numbers)) * of_base
         kind = fact_of(call).kind if call.args else "step"
         if kind == "kink":
-            return sympy.Add(*map(size, call.args))
+            return Add(*map(size, call.args))
         if kind != "smooth" or len(call.args) != 1:
             return S.Zero
-        slope = sympy.Rational(float(call.fdiff().xreplace(values)))
+        slope = Rational(float(call.fdiff().xreplace(values)))
         return abs(slope) * size(call.args[0])
 
-    symbols = {call: sympy.Dummy(real=True) for call in numbers}
+    symbols = {call: Dummy(real=True) for call in numbers}
     value = e.xreplace(numbers)
     if value.has(sympy.zoo, sympy.nan):
         return value
@@ -260,12 +274,12 @@ def without_rounding(e: Expr, values: Mapping[Any, Expr] = NO_VALUES) -> Expr:
         Mul(*(f.xreplace(back) for f in of if not f.free_symbols <= back.keys()))
         for of in factors
     }
-    return e if every <= kept.keys() else sympy.Add(*(c * t for t, c in kept.items()))
+    return e if every <= kept.keys() else Add(*(c * t for t, c in kept.items()))
 
 
 def _numbers_in(e: Expr, values: Mapping[Any, Expr] = NO_VALUES) -> dict[Expr, Expr]:
     """Return functions of numbers, and of parameters with values, as machines round them."""
-    kinds = sympy.Symbol, sympy.Function, Pow, sympy.NumberSymbol
+    kinds = Symbol, Function, Pow, sympy.NumberSymbol
     return {
         call: rational(float(decided(call.xreplace(values))))
         for call in e.atoms(*kinds)
@@ -282,7 +296,7 @@ def too_small(e: Expr, values: Mapping[Any, Expr]) -> dict[Expr, Expr]:
     """Return the functions of parameters that are not zero, but run as 0, exp(-1000), and 0."""
     return {
         call: S.Zero
-        for call in e.atoms(sympy.Function, Pow)
+        for call in e.atoms(Function, Pow)
         if call.free_symbols
         and call.free_symbols <= values.keys()
         and call.is_nonzero
@@ -292,10 +306,8 @@ def too_small(e: Expr, values: Mapping[Any, Expr]) -> dict[Expr, Expr]:
 
 def coarse(e: Expr) -> Expr:
     """Return an expression with 13 digits of numbers, so that those of some roundings agree."""
-    numbers = {n: n for n in e.atoms(sympy.Rational)} | _numbers_in(e)
-    return e.xreplace(
-        {n: sympy.Rational(f"{float(v):.12e}") for n, v in numbers.items()}
-    )
+    numbers = {n: n for n in e.atoms(Rational)} | _numbers_in(e)
+    return e.xreplace({n: Rational(f"{float(v):.12e}") for n, v in numbers.items()})
 
 
 def whole_coefficients(e: Expr, variables: Iterable[Any]) -> Expr:
@@ -315,8 +327,8 @@ def high_powers(expression: Expr) -> set[Expr]:
         for power in expression.atoms(Pow)
         if power.exp.is_Integer and abs(power.exp) > HIGHEST_REWRITTEN
     }
-    for call in expression.atoms(sympy.exp):
-        numbers = call.args[0].atoms(sympy.Rational)
+    for call in expression.atoms(exp):
+        numbers = call.args[0].atoms(Rational)
         if any(max(abs(n.p), n.q) > LARGEST_IN_EXP for n in numbers):
             powers.add(call)
     return powers
@@ -324,11 +336,11 @@ def high_powers(expression: Expr) -> set[Expr]:
 
 def factored(expression: Expr, most: int = MOST_FACTORED) -> Expr:
     """Return an expression factored; unchanged if it has many terms or operations."""
-    terms = sympy.Add.make_args(expression)
+    terms = Add.make_args(expression)
     if len(terms) > most or expression.count_ops() > 5 * most:
         return expression
     symbols = {
-        power: sympy.Dummy(
+        power: Dummy(
             str(power),
             positive=power.is_positive or None,
             nonnegative=power.is_nonnegative or None,
@@ -342,7 +354,7 @@ def factored(expression: Expr, most: int = MOST_FACTORED) -> Expr:
 def groups_of(expression: Expr, variables: set) -> list[Expr]:
     """Return an expression as a sum of expressions that share no variable."""
     groups: list[tuple[set, list]] = []
-    for term in sympy.Add.make_args(expand(expression, power_exp=False)):
+    for term in Add.make_args(expand(expression, power_exp=False)):
         symbols = term.free_symbols & variables
         terms = [term]
         touching = [group for group in groups if group[0] & symbols]
@@ -351,7 +363,7 @@ def groups_of(expression: Expr, variables: set) -> list[Expr]:
             symbols = symbols | group_symbols
             terms = terms + group_terms
         groups.append((symbols, terms))
-    return [sympy.Add(*terms) for _, terms in groups]
+    return [Add(*terms) for _, terms in groups]
 
 
 def terms_of(expression: Expr) -> int:

@@ -15,7 +15,7 @@ from operator import ge, gt, le, lt
 from typing import Any, Literal, NamedTuple
 
 import sympy
-from sympy import Add, Expr, Function, Max, Min, S, oo
+from sympy import Abs, Add, Dummy, Expr, Function, Max, Min, S, exp, log, oo, sympify
 from sympy.core.function import AppliedUndef
 
 from ...engine.diagram.symbol_names import TIME
@@ -82,7 +82,7 @@ def _pieces_of_clip(call: Any, s: Any, low: Any, high: Any) -> list[Piece]:
 
 def _pieces_of_sign(call: Any, s: Any) -> list[Piece]:
     def values(sign: Any) -> dict[Any, Any]:
-        return {SIGN(s): sign, sympy.sign(s): sign, sympy.Abs(s): sign * s}
+        return {SIGN(s): sign, sympy.sign(s): sign, Abs(s): sign * s}
 
     return [([s], values(S.One)), ([-s], values(-S.One)), ([s, -s], values(S.Zero))]
 
@@ -92,7 +92,7 @@ def _pieces_of_sign(call: Any, s: Any) -> list[Piece]:
 
 def _constant(low: Any, high: Any) -> Callable[..., Interval]:
     """Return a range that does not depend on the arguments."""
-    return lambda *ends: (sympy.sympify(low), sympy.sympify(high))
+    return lambda *ends: (sympify(low), sympify(high))
 
 
 def _monotone(function: Callable[..., Any]) -> Callable[..., Interval]:
@@ -108,8 +108,8 @@ def _range_of_choice(*ends: Interval) -> Interval:
 
 def _range_of_log(ends: Interval) -> Interval:
     low, high = ends
-    low = sympy.log(low) if low.is_positive else -oo
-    return low, sympy.log(high) if high.is_positive else oo
+    low = log(low) if low.is_positive else -oo
+    return low, log(high) if high.is_positive else oo
 
 
 def _clip_number(s: Any, low: Any, high: Any) -> Any:
@@ -140,7 +140,7 @@ FACTS: dict[str, Fact] = {
     "erf": Fact("smooth", "bounded", sector=(0, 2)),
     "asinh": Fact("smooth", "as all", sector=(0, 1)),
     "sinh": Fact("smooth", sector=(1, oo)),
-    "exp": Fact("smooth", range=_monotone(sympy.exp)),
+    "exp": Fact("smooth", range=_monotone(exp)),
     "log": Fact("smooth", range=_range_of_log),
     **dict.fromkeys(SMOOTH.split(), Fact("smooth")),
     "Abs": Fact("kink", "as all", pieces=_pieces_of_sign),
@@ -166,7 +166,7 @@ FACTS: dict[str, Fact] = {
     "floor": Fact("step", "as all", number=sympy.floor),
     "ceil": Fact("step", "as all", number=sympy.ceiling),
     "trunc": Fact(
-        "step", "as all", number=lambda s: sympy.sign(s) * sympy.floor(sympy.Abs(s))
+        "step", "as all", number=lambda s: sympy.sign(s) * sympy.floor(Abs(s))
     ),
     "mod": Fact("choice", "as branches", number=lambda a, b: a % b),
     **dict.fromkeys(
@@ -216,8 +216,8 @@ def roots_in(expression: Expr) -> list[Expr]:
 def has_time(*expressions: Expr) -> bool:
     """Return whether expressions depend on time by themselves, not by an input alone."""
     total = sympy.Tuple(*expressions)
-    slopes = dict.fromkeys(total.atoms(sympy.Derivative), sympy.Dummy())
-    inputs = dict.fromkeys(inputs_in(total), sympy.Dummy())
+    slopes = dict.fromkeys(total.atoms(sympy.Derivative), Dummy())
+    inputs = dict.fromkeys(inputs_in(total), Dummy())
     return bool(total.xreplace(slopes).xreplace(inputs).has(TIME))
 
 
@@ -359,7 +359,7 @@ def facts_of(calls: Iterable[Any]) -> list[Expr]:
             (s,), (q, p) = h.args, sector
             facts.append((h - q * s) * (p * s - h if p != oo else s))
     for u, v in combinations(calls, 2):
-        if u.func == v.func and (fact_of(u).sector or isinstance(u, sympy.exp)):
+        if u.func == v.func and (fact_of(u).sector or isinstance(u, exp)):
             rise, run = u - v, u.args[0] - v.args[0]
             is_flat = fact_of(u).sector == (0, 1)
             facts.append(rise * (run - rise) if is_flat else rise * run)

@@ -31,6 +31,7 @@ MOST_SYMBOLS = 8
 MOST_DEGREE = 12
 ROUNDS = 1500  # of reflections
 CLOSE = 1e-7  # of the coefficients: the equations hold in floating point
+LARGEST = 10**100  # a coefficient of a polynomial that is not divided by it
 MARGIN = 1e-3  # the least eigenvalue that is looked for
 SINGULAR = 1e-4  # of the largest eigenvalue
 DENOMINATOR = 10**5
@@ -73,6 +74,9 @@ def sum_of_squares(p: Expr, conditions: Sequence[Expr] = ()) -> Sum | None:
         return None
     if not target or max(map(sum, target)) > MOST_DEGREE:
         return None
+    most = max(map(abs, target.values()))
+    scale = most if max(most, 1 / most) > LARGEST else QQ(1)
+    target = target.mul_ground(1 / scale)
     nonnegative = [g for g in assumed if g]
     nonnegative += [a * b for a, b in combinations(nonnegative, 2)]
     blocks = _blocks(target, [ring.one, *nonnegative])
@@ -85,7 +89,7 @@ def sum_of_squares(p: Expr, conditions: Sequence[Expr] = ()) -> Sum | None:
         squares = _exact(target, blocks, matrices)
         if squares is not None:
             terms = [
-                (QQ.to_sympy(weight), condition.as_expr(), form.as_expr())
+                (QQ.to_sympy(weight * scale), condition.as_expr(), form.as_expr())
                 for weight, condition, form in squares
             ]
             basis = blocks[0].basis

@@ -10,19 +10,20 @@ from typing import Any
 
 import numpy as np
 import sympy
+from sympy import Expr, oo
 from sympy.core.function import AppliedUndef
 
 from ...base.errors import DiagramError
 from ...engine.diagram.symbol_names import TIME
 from .facts import NUMPY_OF, is_input
 
-NO_VALUE = (sympy.zoo, sympy.nan, sympy.oo, -sympy.oo, sympy.I)
+NO_VALUE = (sympy.zoo, sympy.nan, oo, -oo, sympy.I)
 
 
 class NumericValues:
     """Numeric values of expressions at points."""
 
-    def __init__(self, *expressions: sympy.Expr):
+    def __init__(self, *expressions: Expr):
         self.expressions = expressions
         terms = sympy.Tuple(*expressions)
         calls = terms.atoms(AppliedUndef)
@@ -39,7 +40,7 @@ class NumericValues:
         """Return values, shape (expressions, count), from those of the symbols."""
         values = {symbol: points[symbol] for symbol in self.symbols}
 
-        def value(e: sympy.Expr) -> Any:
+        def value(e: Expr) -> Any:
             if e not in values:
                 values[e] = _value(e, [value(a) for a in e.args])
             return values[e]
@@ -49,7 +50,7 @@ class NumericValues:
             return np.array(rows).astype(float)
 
 
-def _value(e: sympy.Expr, arguments: list[Any]) -> Any:
+def _value(e: Expr, arguments: list[Any]) -> Any:
     """Return the value of an expression from those of its arguments."""
     if e.is_Add:
         return sum(arguments)

@@ -11,7 +11,7 @@ from math import inf
 from typing import Any
 
 import sympy
-from sympy import Add, Expr, Function, S, expand
+from sympy import Abs, Add, Dummy, Expr, Function, S, diff, expand
 from sympy.core.function import AppliedUndef
 from sympy.simplify.fu import TR8
 
@@ -57,7 +57,7 @@ def _without_steps(terms: list[Expr]) -> Expr:
     for sign in sorted(Add(*terms).atoms(SIGN), key=str):
         (a,) = sign.args
         stepping = [term for term in terms if term.has(sign)]
-        smooth = sympy.factor(Add(*stepping)).subs(sign * sympy.Abs(a), a)
+        smooth = sympy.factor(Add(*stepping)).subs(sign * Abs(a), a)
         if not smooth.has(SIGN):
             terms = [smooth, *(term for term in terms if not term.has(sign))]
     return Add(*terms)
@@ -93,7 +93,7 @@ def along(expression: Expr, rates: dict[Any, Expr]) -> Expr:
         if is_of_sympy and len(e.args) == 1:
             return e.fdiff() * rate(e.args[0])
         symbols = [s for s in e.free_symbols if rate(s) != 0]
-        return Add(*(sympy.diff(e, s) * rate(s) for s in symbols))
+        return Add(*(diff(e, s) * rate(s) for s in symbols))
 
     return rate(expression)
 
@@ -105,7 +105,7 @@ def slope_in(expression: Expr, s: Any) -> Expr:
 
 def jumps_nowhere(e: Expr) -> bool:
     """Return whether an expression is known to be continuous where it has a value."""
-    inputs = {f: sympy.Dummy(real=True) for f in inputs_in(e)}
+    inputs = {f: Dummy(real=True) for f in inputs_in(e)}
     return is_continuous(e) or meets_smoothly(e.xreplace(inputs), 1)
 
 
@@ -113,9 +113,9 @@ def meets_smoothly(V: Expr, order: int = 2) -> bool:
     """Return whether V and its slopes agree where pieces meet; V alone if the order is 1."""
     for power in V.atoms(sympy.Pow):
         (s, *_), p = power.base.args or (0,), power.exp
-        is_size = isinstance(power.base, sympy.Abs) and not functions_in(s)
+        is_size = isinstance(power.base, Abs) and not functions_in(s)
         if is_size and (p - order + 1).is_positive:  # at 0 as level as s^order
-            V = V.xreplace({power: sympy.Dummy() * s**order})
+            V = V.xreplace({power: Dummy() * s**order})
     if not all(base.is_positive for base in roots_in(V)):
         return False
     return all(_call_meets_smoothly(V, call, order) for call in functions_in(V))
@@ -163,7 +163,7 @@ def of_same_sign(h: Expr) -> Expr:
         (s,) = states
         for sign in (1, -1):
             at_0, at_1 = (sign * h.subs(s, end) for end in (0, 1))
-            low, high = interval(TR8(sympy.diff(sign * h, s)))
+            low, high = interval(TR8(diff(sign * h, s)))
             is_rising = low.is_nonnegative and high.is_finite
             if is_rising and at_0 == 0 and at_1.is_positive:
                 return sign * s
@@ -175,7 +175,7 @@ def _agrees(difference: Expr, border: Expr, order: int) -> bool:
     border = expand(border)
     symbols = sorted(border.free_symbols, key=str)
     for s in symbols:
-        slope = sympy.diff(border, s)
+        slope = diff(border, s)
         if slope.is_number and slope != 0:
             line = {s: expand(s - border / slope)}
 

@@ -10,7 +10,21 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import sympy
-from sympy import Add, Dummy, Expr, Matrix, Poly, S, Symbol, expand
+from sympy import (
+    Abs,
+    Add,
+    Dummy,
+    Expr,
+    Matrix,
+    Mul,
+    Poly,
+    S,
+    Symbol,
+    cancel,
+    diff,
+    expand,
+    oo,
+)
 from sympy.core.function import AppliedUndef
 
 from ...engine.diagram.symbol_names import TIME
@@ -156,7 +170,7 @@ def _completed(p: Expr, variables: list) -> Squares | None:
             continue
         form = s**n + expand(b / (2 * a))
         remainder = c - b**2 / (4 * a)
-        remainder = remainder if a.is_number else sympy.cancel(remainder)
+        remainder = remainder if a.is_number else cancel(remainder)
         square = Squares(S.Zero, [a * form**2], [form])
         completed = _added(square, expand(remainder), variables)
         if completed is not None:
@@ -169,7 +183,7 @@ def _completed(p: Expr, variables: list) -> Squares | None:
 
 def _sizes(e: Expr) -> list[Expr]:
     """Return forms that are bounded where max(|a|, |b|), |a|^p or a sum of such is; or none."""
-    if isinstance(e, sympy.Abs):
+    if isinstance(e, Abs):
         return [e.args[0]]
     if e.is_Pow and e.exp.is_positive:
         return [e.base] if e.exp.is_even else _sizes(e.base)
@@ -212,7 +226,7 @@ def _even_powers(polynomial: Poly) -> Squares:
         if is_positive and sum(exponents) <= 2:
             continue
         pairs = zip(polynomial.gens, exponents, strict=True)
-        root = sympy.Mul(*(s ** (n // 2) for s, n in pairs))
+        root = Mul(*(s ** (n // 2) for s, n in pairs))
         powers.terms.append(coefficient * root**2)
         if is_positive:
             powers.forms.append(root.as_base_exp()[0])
@@ -241,7 +255,7 @@ def _minimum(g: Expr, s: Symbol) -> tuple[Expr, Expr] | None:
         return least, s
     if g.atoms(AppliedUndef) or g.has(TIME):
         return None
-    curvature = factored(sympy.diff(slope, s))
+    curvature = factored(diff(slope, s))
     is_convex = curvature != 0 and curvature.is_nonnegative
     # convex and level at 0, g rises without bound
     return (least, s) if is_convex and vanishes(slope.subs(s, 0)) else None
@@ -274,13 +288,13 @@ def rising_in(E: Expr, s: Symbol) -> bool:
 def _power_in(term: Expr, s: Symbol) -> tuple[int, Expr, bool]:
     """Return n, f and whether h rises, of a term s^n f, where odd functions h count as s."""
     power, factor, is_strict = 0, S.One, True
-    for part in sympy.Mul.make_args(term):
+    for part in Mul.make_args(term):
         base, exponent = part.as_base_exp()
         is_function = functions_in(part) and exponent == 1
         sector = sector_of(part) if is_function else None
         if base == s and exponent.is_Integer and exponent > 0:
             power += int(exponent)
-        elif base == sympy.Abs(s) and exponent.is_positive:
+        elif base == Abs(s) and exponent.is_positive:
             power += 2
         elif sector is not None and sector.factor == s and sector.low >= 0:
             power += 1
@@ -292,10 +306,10 @@ def _power_in(term: Expr, s: Symbol) -> tuple[int, Expr, bool]:
 
 def _has_positive_limits(term: Expr, factor: Expr, s: Symbol) -> bool:
     """Return whether a term is positive far away, as s^2/(1 + s^2) is."""
-    functions = functions_in(factor) - {sympy.Abs(s)}
+    functions = functions_in(factor) - {Abs(s)}
     if factor.free_symbols != {s} or functions or not factor.is_positive:
         return False
-    limits = (sympy.limit(term, s, end) for end in (-sympy.oo, sympy.oo))
+    limits = (sympy.limit(term, s, end) for end in (-oo, oo))
     return all(limit.is_extended_positive for limit in limits)
 
 
@@ -339,19 +353,19 @@ def _forms_of_terms(e: Expr, fixed: set, bounded: set) -> list[Expr]:
 
 def _without_weights(form: Expr) -> Expr:
     """Return a form without the factors that stay away from zero."""
-    kept = [f for f in sympy.Mul.make_args(form) if not stays_off_zero(f)]
-    return sympy.Mul(*kept) if kept else form
+    kept = [f for f in Mul.make_args(form) if not stays_off_zero(f)]
+    return Mul(*kept) if kept else form
 
 
 def _lost_form(term: Expr, fixed: set, bounded: set) -> Expr | None:
     """Return a form of a term that is never negative, 0 for none; None if it may be negative."""
-    term = sympy.Mul(*map(of_same_sign, sympy.Mul.make_args(term)))
-    parts = [part.as_base_exp() for part in sympy.Mul.make_args(term)]
+    term = Mul(*map(of_same_sign, Mul.make_args(term)))
+    parts = [part.as_base_exp() for part in Mul.make_args(term)]
     form, odd, weight = S.One, list[Expr](), S.One
     for base, power in parts:
         if power.is_Integer and power > 0 and power % 2 == 0:
             form *= base
-        elif isinstance(base, sympy.Abs):
+        elif isinstance(base, Abs):
             form *= base.args[0]
         elif (
             base.is_Symbol
@@ -405,7 +419,7 @@ def written_forms(e: Expr, fixed: set) -> list[Expr]:
     forms = [e, factored(e)]
     if total and not total.constant.free_symbols - fixed:
         terms = (-sympy.factor_terms(term) for term in total.terms)
-        forms.append(sympy.Add(*terms) - total.constant)
+        forms.append(Add(*terms) - total.constant)
     return forms
 
 
@@ -449,7 +463,7 @@ def simplest(forms: Sequence[Expr], fixed: set) -> list[Expr]:
             M[done, :] = M[done, :] / M[done, column]
             for k in {*range(M.rows)} - {done}:
                 M[k, :] -= M[k, column] * M[done, :]
-            M, done = M.applyfunc(sympy.cancel), done + 1
+            M, done = M.applyfunc(cancel), done + 1
     back = {s: f for f, s in inputs.items()}
     shorter = [e.xreplace(back) for e in M * Matrix([*signals, 1]) if e != 0]
     sizes = [sum(map(sympy.count_ops, of)) for of in (shorter, linear)]
@@ -468,6 +482,6 @@ def _is_linear(form: Expr, states: list) -> bool:
     """Return whether a form is linear in states, with numbers, or in one, and not zero."""
     if not form.is_polynomial(*states) or not Poly(form, *states).is_linear:
         return False
-    slopes = [slope for s in states if (slope := sympy.diff(form, s)) != 0]
+    slopes = [slope for s in states if (slope := diff(form, s)) != 0]
     alone = len(slopes) == 1 and slopes[0].is_nonzero
     return bool(alone or all(slope.is_Rational for slope in slopes))

@@ -5,36 +5,63 @@ from math import floor, log10
 from typing import Any
 
 import sympy
+from sympy import Add, Pow
 
 from ...base.units import at_least, at_most
 
 LARGEST = 10**12  # larger numerators and denominators are rounded in texts
 DIGITS = 17  # that tell doubles apart
+FEW = 6  # digits of a text that would be cut
 
 
-def rounded(e: Any) -> Any:
-    """Return an expression with long numbers rounded, functions of them as one number."""
+def rounded(e: Any, digits: int = DIGITS) -> Any:
+    """Return an expression with long numbers rounded, functions of them as one number.
+
+    A number that is not whole keeps digits that say so.
+    """
     if not _is_long(e):
         return e
     if e.is_Pow and _is_long(e.exp):
-        return sympy.Pow(rounded(e.base), e.exp.n(17))
+        return Pow(rounded(e.base, digits), e.exp.n(digits))
     if not e.is_number:
-        return e.func(*map(rounded, e.args))
+        return e.func(*(rounded(a, digits) for a in e.args))
     whole = e.round() if abs(e) < LARGEST else e
-    digits = (
-        DIGITS if whole in (0, e) else DIGITS - floor(log10(abs(e - whole) / abs(e)))
-    )
+    if whole not in (0, e):
+        digits -= floor(log10(abs(e - whole) / abs(e)))
     return e.n(digits)
 
 
+def double(number: Any) -> str:
+    """Return a double as text with the digits that tell it from others: 0.1, 2."""
+    return f"{float(number)!r}".removesuffix(".0")
+
+
 def short(expression: Any, most: int | None = 160) -> str:
-    """Return an expression as text of a line; numbers of many digits are rounded."""
-    symbols = getattr(expression, "atoms", lambda kind: ())(sympy.Dummy)
-    text = str(rounded(expression) if hasattr(expression, "atoms") else expression)
-    for symbol in symbols:
+    """Return an expression as text of a line, with all digits of numbers if they fit.
+
+    >>> import sympy
+    >>> x, gains = sympy.symbols("x"), [sympy.Rational(f"{1 + k / 7}") for k in range(12)]
+    >>> short(gains[2] * x)
+    '1.2857142857142856*x'
+    >>> short(sympy.Poly(gains, x).as_expr(), 80)
+    'x**11 + 1.14286*x**10 + 1.28571*x**9 + 1.42857*x**8 + 1.57143*x**7 ... (6 digits)'
+    """
+    text = _text(expression, DIGITS)
+    if most is None or len(text) <= most:
+        return text
+    fewer = _text(expression, FEW)
+    note = f" ({FEW} digits)" * (fewer != text)
+    return cut(fewer, most - len(note)) + note
+
+
+def _text(expression: Any, digits: int) -> str:
+    """Return an expression as text, with so many digits of long numbers."""
+    if not isinstance(expression, sympy.Basic):
+        return _plain(f"{expression}")
+    text = f"{rounded(expression, digits)}"
+    for symbol in expression.atoms(sympy.Dummy):
         text = text.replace(f"_{symbol.name}", symbol.name)
-    text = _plain(text)
-    return text if most is None else cut(text, most)
+    return _plain(text)
 
 
 def _is_long(e: Any) -> bool:
@@ -80,7 +107,7 @@ def outward(bound: Any, up: bool = True, keeps_short: bool = False) -> sympy.Exp
             is_exact = (e.is_Integer or keeps_short) and not _is_long(e)
             return e if is_exact else sympy.Float(text, 4)
         if e.is_Pow:
-            return sympy.Pow(in_digits(e.base, up != e.exp.is_negative), e.exp)
+            return Pow(in_digits(e.base, up != e.exp.is_negative), e.exp)
         number, factor = e.as_independent(*e.free_symbols, as_Add=False)
         if number != 1:
             up_rest, up = (up != bool(o.is_negative) for o in (number, factor))
@@ -99,9 +126,7 @@ def outward(bound: Any, up: bool = True, keeps_short: bool = False) -> sympy.Exp
         for term in e.args:
             coefficient, factor = term.as_coeff_Mul()
             groups.setdefault(coefficient, []).append(factor)
-        sums = [
-            sympy.Mul(c, sympy.Add(*g), evaluate=len(g) == 1) for c, g in groups.items()
-        ]
-        return sympy.Add(*sums, evaluate=False)
+        sums = [sympy.Mul(c, Add(*g), evaluate=len(g) == 1) for c, g in groups.items()]
+        return Add(*sums, evaluate=False)
 
     return grouped(in_digits(sympy.sympify(bound), up))

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import sympy
-from sympy import Expr
+from sympy import Expr, sympify
 
 from ...base.errors import DiagramError
 from ...engine.diagram.interconnection import Diagram
@@ -82,7 +82,7 @@ def equations_of(diagram: Diagram) -> Equations:
         return loop.elements.leaf_symbol(key, shape, index)
 
     def watch(row: int, kind: str, arguments: tuple) -> None:
-        begin, last = sympy.sympify(arguments[0]), sympy.sympify(arguments[-1])
+        begin, last = sympify(arguments[0]), sympify(arguments[-1])
         if NOT_WRITTEN(kind) and (begin.free_symbols or last.free_symbols):
             raise DiagramError(f"{kind}({begin}): has no form in Coq here. Replace it")
         is_power = kind == "pow"

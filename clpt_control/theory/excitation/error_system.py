@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 import sympy
 from scipy.linalg import block_diag
-from sympy import Matrix
+from sympy import Matrix, diff
 
 from ...base.errors import DataError, DiagramError
 from ...base.run_attributes import DIAGRAM, RunDiagram
@@ -136,7 +136,7 @@ def error_system_of(verdict: Any, names: Sequence[str], run: Any) -> ErrorSystem
     rates = {s: sympy.sympify(x).xreplace(numbers) for s, x in eq.motion.items()}
     # Step 2: V is quadratic; its states are those of e and of th
     states = [*rates]
-    gradient = Matrix([sympy.diff(V, s) for s in states])
+    gradient = Matrix([diff(V, s) for s in states])
     H = gradient.jacobian(states).applyfunc(normal_form)
     if not all(entry.is_number for entry in H):
         raise DiagramError(
@@ -151,7 +151,7 @@ def error_system_of(verdict: Any, names: Sequence[str], run: Any) -> ErrorSystem
         )
 
     def falls_with(state: Any) -> bool:
-        return fall.has(state) and not _is_zero(sympy.diff(fall, state))
+        return fall.has(state) and not _is_zero(diff(fall, state))
 
     in_th = [k for k in own if str(states[k]) in names] or [
         k for k in own if not any(H[k, j] and falls_with(states[j]) for j in own)

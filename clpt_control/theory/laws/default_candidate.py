@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 import control
 import numpy as np
 import sympy
-from sympy import Expr, S
+from sympy import Add, Expr, Matrix, S, expand
 from sympy.core.function import AppliedUndef
 
 from ...base.errors import DiagramError
@@ -28,6 +28,7 @@ from ...paper.blocks.lyapunov import lyapunov_candidate, weighted
 from ...paper.laws.law import LEARNED, Truth
 from ...simulation.user_components import functions_of
 from ..algebra.exact import normal_form
+from ..proofs.steps import of_user
 from ..proofs.symbolic_loop import (
     TIME,
     SymbolicLoop,
@@ -85,7 +86,7 @@ def default_V(law: Block, N: int) -> LawV:
         has_gains &= number != 0 or rate == 0
         weight = gain if number.is_positive else -gain if number else S.One
         weights.append(weight)
-        terms[state] = sympy.expand(rate + gain * product) / weight
+        terms[state] = expand(rate + gain * product) / weight
     symbols = flat(loop.parameters[law.name])
 
     def weights_of(values: list) -> list[Expr]:
@@ -140,7 +141,7 @@ def _learned(loop: SymbolicLoop, N: int) -> LearnedParameters:
 
 def _inverse_of_gains(
     loop: SymbolicLoop, learned: LearnedParameters, terms: dict
-) -> sympy.Matrix | None:
+) -> Matrix | None:
     """Return the inverse of the matrix of gains if gains couple learned parameters."""
     if not any(term.has(*learned.e) for term in terms.values()):
         return None
@@ -149,7 +150,7 @@ def _inverse_of_gains(
         [-_coefficient(rate, product, parameters) for product in learned.products]
         for rate in learned.rates
     ]
-    gains = sympy.Matrix(rows).xreplace(loop.values)
+    gains = Matrix(rows).xreplace(loop.values)
     is_mixed = not gains.is_diagonal() and gains.is_positive_definite
     return gains.inv() if gains.is_symmetric() and is_mixed else None
 
@@ -163,17 +164,15 @@ def _is_gradient(terms: dict, constants: set) -> bool:
     if any(term.free_symbols - {*terms} - constants for term in terms.values()):
         return False
     slopes = {(a, b): sympy.diff(term, b) for a, term in terms.items() for b in terms}
-    return all(
-        sympy.expand(slope - slopes[b, a]) == 0 for (a, b), slope in slopes.items()
-    )
+    return all(expand(slope - slopes[b, a]) == 0 for (a, b), slope in slopes.items())
 
 
 def _coefficient(rate: Expr, product: Expr, parameters: set) -> Expr:
     """Return the coefficient of a product in a rate, made of parameters alone."""
     if product == 0:  # the law does not read a signal of the product
         return S.Zero
-    quotients = (term / product for term in sympy.Add.make_args(rate))
-    return sympy.Add(
+    quotients = (term / product for term in Add.make_args(rate))
+    return Add(
         *(
             q
             for q in quotients
@@ -195,7 +194,7 @@ def user_V(V: Callable[..., Any], law: Block) -> LawV:
 
     def make(truth: Truth) -> Block:
         count = len(signature(V).parameters)
-        block = V(*(truth, law.parameters)[:count])
+        block = of_user(f"{law.name}: V", V)(*(truth, law.parameters)[:count])
         if not isinstance(block, Block) or block.output_ports != {"V": 1}:
             raise DiagramError(f"{block}: a candidate makes V[1] and nothing else")
         read_anew(block)
@@ -204,7 +203,9 @@ def user_V(V: Callable[..., Any], law: Block) -> LawV:
     scenario = theorem_scenario(functions_of(law), "learned-flow")
     try:
         make(truth_of(scenario))
-    except AttributeError:  # the truth alone has no signals
+    except DiagramError as error:  # the truth alone has no signals
+        if not isinstance(error.__cause__, AttributeError):
+            raise
         return LawV(partial(_block_of_signals, V, law))
     return LawV(make)
 

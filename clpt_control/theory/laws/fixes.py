@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 import sympy
+from sympy import Expr
 
 from ...engine.diagram.interconnection import Diagram, connect
 from ...paper.laws.law import Law
@@ -22,6 +23,7 @@ from ...simulation.loops import ClosedLoop
 from ..algebra.decided import decided
 from ..algebra.exact import vanishes
 from ..proofs.same_as_running import running_step
+from ..proofs.statements import said
 from ..proofs.steps import Step, exact_step
 from ..proofs.symbolic_loop import equated, symbolic_loop
 from .theorem_loop import law_and_V, rate_of_V, theorem_scenario
@@ -32,6 +34,7 @@ SEND, ARRIVE = 1, 2  # intervals that begin with a fix, and with its arrival
 OUTSIDE = ("phi_x", "phi_z", "v_x", "fix", "taken")
 MOVING = ("x", "z", "m")  # states that change between fixes
 READ = ("alpha", "z", "information")  # and those that others read as they are
+CHANGE = "(|w|^2 - r^2 |y|^2/(r^2 + m^T P m))/2"  # of V at a fix
 LARGEST_W = "omega + G kappa B^(1/2)"
 COQ = "checked by Coq: theory/coq/LawFixRegression.v, fix_regression_bound"
 States = dict[str, np.ndarray]
@@ -77,7 +80,7 @@ class AtFixes:
         """Return eta m, m with that of a fix under way."""
         return self.eta(states) @ (states["m"] + states["waiting"] * states["m_sent"])
 
-    def V(self, states: States) -> sympy.Expr:
+    def V(self, states: States) -> Expr:
         """Return V = r^2 tr(eta P^-1 eta^T)/2 of the states, as its block has it."""
         substitutions = self.known | equated(self.loop.states, states)
         return self.loop.signals["V"][0].xreplace(substitutions)
@@ -115,7 +118,7 @@ class AtFixes:
         sent = sent if self.late else s["sent"]
         substitutions |= equated(s, {"waiting": got if self.late else 0, "sent": sent})
 
-        def states(new: dict[Any, sympy.Expr]) -> States:
+        def states(new: dict[Any, Expr]) -> States:
             put = np.vectorize(
                 lambda a: decided(a.xreplace(new).xreplace(substitutions)),
                 otypes=[object],
@@ -150,17 +153,16 @@ def fix_steps(law: Law, points: int) -> list[Step]:
     """Check a law that learns at fixes, for N = 1, 2."""
     cases = [AtFixes(law, N, late) for N in SIZES_AT_FIXES for late in (False, True)]
     claims = {
-        "between fixes V' = 0, P' = 0 and (x - z - eta m)' = 0 where phi(x) = phi(z), "
-        "whatever v is flown": AtFixes.stays,
-        "at a fix with y = eta m + w, for any w, V changes by "
-        "(|w|^2 - r^2 |y|^2/(r^2 + m^T P m))/2, P^-1 rises by m m^T/r^2 and x - z = eta m - w, "
+        "between fixes V' = 0, `P' = 0` and `(x - z - eta m)' = 0` where `phi(x) = phi(z)`, "
+        "whatever `v` is flown": AtFixes.stays,
+        f"at a fix with `y = eta m + w`, for any `w`, V changes by `{CHANGE}`, "
+        "`P^-1` rises by `m m^T/r^2` and `x - z = eta m - w`, "
         "also where it arrives late; one missing or on its way changes nothing": AtFixes.learns,
     }
     steps = [
         exact_step(cases, claim, check, "values fixes")
         for claim, check in claims.items()
     ]
-    bounded = Step(
-        f"|w| <= {LARGEST_W}, for every N", True, "cited", COQ, shows="fixes"
-    )
+    claim = said(f"`|w| <= {LARGEST_W}`, for every N")
+    bounded = Step(claim, True, "cited", COQ, shows="fixes")
     return [*steps, bounded, running_step(lambda: cases[-1].loop, points)]

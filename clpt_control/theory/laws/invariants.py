@@ -36,8 +36,10 @@ from typing import Any
 
 import numpy as np
 import sympy
+from sympy import Dummy, Expr, Symbol, expand, sympify
 from sympy.core.function import AppliedUndef
 
+from ...base.arguments import check_known
 from ...engine.model.block import Block
 from ...engine.record.symbolic import extent
 from ...paper.laws.law import Law
@@ -49,7 +51,7 @@ from ..proofs.answers import Definite, Fall
 from ..proofs.conclusions import Condition
 from ..proofs.rate_as_sum import Ways
 from ..proofs.relations import Relations, forks
-from ..proofs.statements import CLPE_GOES
+from ..proofs.statements import CLPE_GOES, said
 from ..proofs.steps import Step, exact, exact_step
 from ..proofs.symbolic_loop import TIME, SymbolicLoop, equated, symbolic_loop
 from .law_candidate import LoopCandidate
@@ -75,7 +77,7 @@ from .theorem_loop import (
 
 Claims = dict[str, tuple[str, Callable[[Any], bool | str]]]
 NOTHING = MappingProxyType[str, Any]({})
-IN_THE_MEAN = "|e| <= |eta phi| over the least of KD"
+IN_THE_MEAN = said("`|e| <= |eta phi|` over the least of `KD`")
 
 
 class Invariants(LoopCandidate):
@@ -102,7 +104,7 @@ class Invariants(LoopCandidate):
         self.system = self.loop.diagram
         self.motion, self.fixed = self.loop.motion, {*self.loop.values}
         self.undefined = self.loop.undefined
-        self.words: dict[Any, sympy.Symbol] = {}
+        self.words: dict[Any, Symbol] = {}
         self.known = NOTHING
         self.states, self.rates = (
             {port.rpartition(":")[2]: values for port, values in ports.items()}
@@ -117,7 +119,12 @@ class Invariants(LoopCandidate):
         p, truth = loop.parameters[block.name], truth_in(loop)
         assert law.invariants is not None
         self.parameters, self.c = p, arbitrary(2 * self.N).reshape(2, self.N)
-        self.stated = equated(self.states, law.invariants(self.states, p, truth))
+        for argument in ("semidefinite", "start", "invariants"):
+            stated = getattr(self if argument == "start" else law, argument)
+            if callable(stated):
+                stated = stated(self.states, p, truth)
+            check_known(f"{block.name}: {argument}", stated, self.states)
+        self.stated = equated(self.states, stated)
         self.relations = Relations(loop, self.motion, self.masked)
         self.reduced = self.relations.of
         for s, value in self.stated.items():
@@ -135,11 +142,11 @@ class Invariants(LoopCandidate):
         rates = {f"{port}'": rate for port, rate in self.rates.items()}
         signals = {**loop.inputs, **self.states, **rates, "d P^-1": self.c}
         self.losses = [
-            tuple(sympy.sympify(factor).xreplace(self.tied) for factor in product)
+            tuple(sympify(factor).xreplace(self.tied) for factor in product)
             for product in law.losses(signals, p, truth)
         ]
-        self.error_growth = sympy.sympify(law.error_growth(signals, p, truth))
-        pushed = sympy.sympify(drive(law, signals, truth)).xreplace(self.tied)
+        self.error_growth = sympify(law.error_growth(signals, p, truth))
+        pushed = sympify(drive(law, signals, truth)).xreplace(self.tied)
         # what V' has beyond -e^T KD e
         self.residual = pushed - sum(map(math.prod, self.losses))
         self.weighted_error, self.free = None, dict[Any, Any]()
@@ -150,7 +157,7 @@ class Invariants(LoopCandidate):
         truths = {*np.ravel(truth.theta), *truth.KD, *truth.GammaD}
         self.apart = {*loop.motion, *truths}.union(*fresh)
 
-    def masked(self, expression: sympy.Expr) -> sympy.Expr:
+    def masked(self, expression: Expr) -> Expr:
         """Return an expression with a symbol of its own for each word of the states."""
         words = [f for f in expression.atoms(AppliedUndef) if f.args != (TIME,)]
         for word in sorted(words, key=_outer_first):
@@ -158,9 +165,7 @@ class Invariants(LoopCandidate):
                 sign = (
                     {"positive": True} if is_positive_maximum(word) else {"real": True}
                 )
-                symbol = self.words.setdefault(
-                    word, sympy.Dummy(str(word.func), **sign)
-                )
+                symbol = self.words.setdefault(word, Dummy(str(word.func), **sign))
                 expression = expression.xreplace({word: symbol})
         return expression
 
@@ -170,7 +175,7 @@ class Invariants(LoopCandidate):
         remainder = self.reduced(self.rate - claimed)
         return nonzero_residual(remainder) or "".join(self.loop.undefined[:1])
 
-    def forks(self, rate: sympy.Expr) -> bool:
+    def forks(self, rate: Expr) -> bool:
         """Return whether motions may part where a rate is zero."""
         return forks(self.masked(rate), self.fixed)
 
@@ -184,7 +189,7 @@ class Invariants(LoopCandidate):
                 new = np.array(
                     [[after.get(m, m) for m in row] for row in M], dtype=object
                 )
-                form = self.masked(sympy.expand(c @ new @ c))
+                form = self.masked(expand(c @ new @ c))
                 if not self.not_negative(form, set(c)):
                     return False
         return True
@@ -206,7 +211,7 @@ class Invariants(LoopCandidate):
         rate -= np.sum((c @ self.rates[port]) * c)
         if not self.error_growth.is_nonpositive:
             return "what it gains may be positive"
-        excess = sympy.sympify(rate - self.error_growth).xreplace(substitutions)
+        excess = sympify(rate - self.error_growth).xreplace(substitutions)
         return nonzero_residual(self.reduced(excess))
 
     def stays_semidefinite(self, port: str) -> bool:
@@ -215,17 +220,17 @@ class Invariants(LoopCandidate):
         form = as_factors(self.rate_where(port, np.zeros(len(M), dtype=object)))
         return bool(form.is_nonnegative) and not self.forks(self.form_of_rate(port))
 
-    def form_of_rate(self, port: str) -> sympy.Expr:
+    def form_of_rate(self, port: str) -> Expr:
         """Return c^T M' c, whatever c is, with 1 for its last element.
 
         As c^T M' c has the sign of c^T M' c/c_n^2, c_n is 1; where it is 0, M and c are rotated a
         little.
         """
         c = arbitrary(len(self.matrices[port]))
-        form = sympy.sympify(c @ self.rates[port] @ c)
+        form = sympify(c @ self.rates[port] @ c)
         return form.xreplace({c[-1]: sympy.S.One})
 
-    def rate_where(self, port: str, K: np.ndarray) -> sympy.Expr:
+    def rate_where(self, port: str, K: np.ndarray) -> Expr:
         """Return c^T M' c where M c = K c, K diagonal."""
         M = self.symmetric[port].copy()
         c = arbitrary(len(M))[:-1]
@@ -236,9 +241,7 @@ class Invariants(LoopCandidate):
     @cached_property
     def symmetric(self) -> dict[str, np.ndarray]:
         """Each semidefinite matrix with its relations, shape (n, n)."""
-        expanded = np.vectorize(
-            lambda s: sympy.expand(self.reduced(s)), otypes=[object]
-        )
+        expanded = np.vectorize(lambda s: expand(self.reduced(s)), otypes=[object])
         return {port: expanded(symbols) for port, symbols in self.matrices.items()}
 
     def not_negative(
@@ -248,15 +251,15 @@ class Invariants(LoopCandidate):
 
         `of_any_value` are symbols beside states and truths that may have any value.
         """
-        expression = sympy.sympify(expression)
+        expression = sympify(expression)
         if self.masked(expression).is_nonnegative or self.is_room(expression):
             return True
-        expanded = sympy.expand(self.reduced(expression).xreplace(self.free))
+        expanded = expand(self.reduced(expression).xreplace(self.free))
         matrices = self.symmetric
         symbols = sorted({s for M in matrices.values() for s in M.flat}, key=str)
         if not expanded.is_polynomial(*symbols):
             return False
-        of_M = sympy.Poly(expanded, *symbols, sympy.Dummy())  # there may be no matrices
+        of_M = sympy.Poly(expanded, *symbols, Dummy())  # there may be no matrices
         if of_M.total_degree() > 1:
             return False
         shares_of_M = [of_M.coeff_monomial(1)]
@@ -265,11 +268,11 @@ class Invariants(LoopCandidate):
             # M_jk stands for M_kj too
             pairs = combinations_with_replacement(range(len(M)), 2)
             shares = (c[j] * c[k] * of_M.coeff_monomial(M[j, k]) for j, k in pairs)
-            shares_of_M.append(sympy.expand(sympy.Add(*shares)))
+            shares_of_M.append(expand(sympy.Add(*shares)))
         variables = self.apart | of_any_value
         return all(groups_never_positive(-share, variables) for share in shares_of_M)
 
-    def is_room(self, expression: sympy.Expr) -> bool:
+    def is_room(self, expression: Expr) -> bool:
         """Return whether an expression is 1 - tr P/k_0, which never gets negative."""
         if self.weighted_error is None:
             return False
@@ -287,10 +290,10 @@ class Invariants(LoopCandidate):
         """Return the states that V bounds, where V and what V' loses are not negative."""
         bounded, exist, _ = self.known_states
         names = ", ".join(self.law.semidefinite)
-        premise = f"with {names} >= 0 " * bool(names)
+        premise = f"with `{names} >= 0`, " * bool(names)
         terms = {self.V, *chain.from_iterable(self.losses)}
         holds = all(map(self.not_negative, terms))
-        claim = f"{premise}V and what V' loses are not negative"
+        claim = said(f"{premise}V and what V' loses are not negative")
         step = exact(claim, holds, "", "definite")
         return Definite(step, [*bounded], exist=exist)
 
@@ -300,15 +303,16 @@ class Invariants(LoopCandidate):
             exact_step([self], claim, check, shows)
             for claim, (shows, check) in claims_of(self).items()
         ]
-        fall = Fall(steps, f"V' = {self.law.V_rate}", residual=self.residual)
+        claim = said(f"V' = `{self.law.V_rate}`")
+        fall = Fall(steps, claim, residual=self.residual)
         if self.law.driving_estimate:
             fall.steps.append(mean_square())
             fall.bound = IN_THE_MEAN
         else:
             e = self.loop.states["x"] - self.loop.states["z"]
-            fall.losses, fall.bound, fall.of = [*e], "e^T KD e", CLPE_GOES
+            fall.losses, fall.bound, fall.of = [*e], said("`e^T KD e`"), CLPE_GOES
         grown = self.known_states[2]
-        positive = f"{' and '.join(grown)} > 0" * bool(grown)
+        positive = said(" and ".join(f"`{M} > 0`" for M in grown))
         condition = "the relations hold" * (not self.is_row)
         fall.conditions = [
             Condition("start", text) for text in (condition, positive) if text
@@ -325,7 +329,7 @@ class Invariants(LoopCandidate):
         """Return the ways to write V' as a sum, for a file of Coq."""
         return []
 
-    def never_positive(self, expression: sympy.Expr) -> bool:
+    def never_positive(self, expression: Expr) -> bool:
         """Return whether an expression is known never to be positive where M >= 0."""
         return vanishes(expression) or self.not_negative(-expression)
 
@@ -351,7 +355,7 @@ def _free_symbols_for(values: np.ndarray) -> dict[Any, Any]:
     counts = Counter(s for value in values.flat for s in value.free_symbols)
     for k, value in enumerate(values.flat):
         symbol = min((s for s in value.free_symbols if counts[s] == 1), key=str)
-        fresh = sympy.Symbol(f"over_{k + 1}", real=True)
+        fresh = Symbol(f"over_{k + 1}", real=True)
         replacements[symbol] = (fresh - value.subs(symbol, 0)) / sympy.diff(
             value, symbol
         )
@@ -371,27 +375,26 @@ def claims_of(case: Invariants) -> Claims:
     if not case.is_row:
         claims["what is kept does not repel"] = "", _repels
     if case.loop.jumps:
-        claim = f"{', '.join(names)} >= 0 is not left where they jump"
+        claim = f"`{', '.join(names)} >= 0` is not left where they jump"
         claims[claim] = "", Invariants.semidefinite_after_a_jump
     if names:
         claims[
-            f"c^T M' c >= 0 where M c = 0, so M >= 0 is not left: {', '.join(names)}"
+            f"`c^T M' c >= 0` where `M c = 0`, so `M >= 0` is not left: `{', '.join(names)}`"
         ] = ("", lambda case: ", ".join(filterfalse(case.stays_semidefinite, names)))
     shows = "mean" if law.driving_estimate else "falls loses"
-    claims[f"V' as claimed, {sizes}: {law.V_rate}"] = (
+    claims[f"V' as claimed, {sizes}: `{law.V_rate}`"] = (
         shows,
         lambda case: case.left_over(decay),
     )
     if law.weighted_error:
         claims |= covariance_claims(law)
     if law.makes_estimate:
-        claims["the error of the estimate never grows: (d P^-1 d^T)' is as claimed"] = (
-            "",
-            Invariants.estimate_grows,
-        )
+        claims[
+            "the error of the estimate never grows: `(d P^-1 d^T)'` is as claimed"
+        ] = ("", Invariants.estimate_grows)
     if law.readout:
         claims[
-            f"{law.readout} is theta where its condition holds, and -alpha elsewhere"
+            f"{law.readout} is `theta` where its condition holds, and `-alpha` elsewhere"
         ] = "", _reads
     return claims
 
@@ -400,7 +403,7 @@ def _repels(case: Invariants) -> str:
     """Return a sentence where a distance is known to grow, or moves by itself and may grow."""
     moving = {*case.motion, *case.words.values()}
 
-    def may_shrink(growth: sympy.Expr) -> bool:
+    def may_shrink(growth: Expr) -> bool:
         is_driven = bool(growth.free_symbols & moving) or growth.has(AppliedUndef)
         is_kept = is_driven and not never_positive(-growth, case.fixed)
         return is_kept or never_positive(growth, case.fixed)

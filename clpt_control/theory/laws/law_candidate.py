@@ -18,6 +18,7 @@ from typing import Any
 
 import numpy as np
 import sympy
+from sympy import Add, Expr, S, Symbol, expand, sympify
 
 from ...base.units import at_least, at_most
 from ...engine.model.block import Block
@@ -90,7 +91,7 @@ class LoopCandidate(LyapunovCandidate):
             of_N = Condition("N", "every N" if for_every_N else self.sizes)
             fields["conditions"] = (*fields["conditions"], of_N)
         rates = {
-            port: np.array([sympy.sympify(e).xreplace(self.known) for e in values.flat])
+            port: np.array([sympify(e).xreplace(self.known) for e in values.flat])
             for port, values in self.loop.rates.items()
         }
         return Verdict(
@@ -154,12 +155,12 @@ class LawCandidate(LoopCandidate, SystemCandidate):
         self.known = self.values | {s: e.xreplace(self.values) for s, e in tied.items()}
         self.of_V = {s: v for s, v in self.values.items() if s in {*flat(p)}} | tied
 
-    def of_e(self, expression: sympy.Expr) -> sympy.Expr:
+    def of_e(self, expression: Expr) -> Expr:
         """Return an expression in x and e, with the numbers of the law and of V."""
-        e = sympy.sympify(expression).xreplace(self.known)
+        e = sympify(expression).xreplace(self.known)
         return e.xreplace(self.coordinates.in_e)
 
-    def at_z(self, expression: sympy.Expr) -> sympy.Expr:
+    def at_z(self, expression: Expr) -> Expr:
         """Return an expression in the states of the loop."""
         return expression.xreplace(self.coordinates.in_x)
 
@@ -185,23 +186,23 @@ class LawCandidate(LoopCandidate, SystemCandidate):
         )
         gains = [*zip(self.KD.values(), self.e, self.zones, strict=True)]
         lost = (k * e * slope_in(self.V, e) for k, e, _ in gains)
-        self.decay = -normal_form(sympy.Add(*lost))
+        self.decay = -normal_form(Add(*lost))
         squares = (
             k * e * (e - CLIP(e, -zone, zone) if zone else e) for k, e, zone in gains
         )
-        self.decay_text = "-D^T KD e" if any(self.zones) else "-e^T KD e"
-        if normal_form(self.decay + sympy.Add(*squares)) != 0:
-            self.decay_text = "-sum KD_i e_i dV/de_i"
+        self.decay_text = "D^T KD e" if any(self.zones) else "e^T KD e"
+        if normal_form(self.decay + Add(*squares)) != 0:
+            self.decay_text = "sum KD_i e_i dV/de_i"
 
     def falls(self, definite: Definite) -> Fall:
         """Return what is shown of V': it falls, or e comes to a set."""
         residual, holds, text = self._below_decay()
-        below = f"V' {'=' if residual == 0 else '<='} {text}"
+        below = said(f"V' {'=' if residual == 0 else '<='} `-{text}`")
         detail = said("left over: {}", self.at_z(residual)) if residual != 0 else ""
         detail = detail if self.rises else "V is not known to rise with |e|"
-        claim = f"{below}, {self.sizes} and the parameters as they are"
+        claim = said("{}, {} and the parameters as they are", below, self.sizes)
         step = exact(claim, holds, "" if holds else detail, "falls loses")
-        fall = Fall([step], below, self.e, text.lstrip("-"), CLPE_GOES)
+        fall = Fall([step], below, self.e, said(f"`{text}`"), CLPE_GOES)
         if holds and any(self.zones):
             fall = self._comes_to_zones(text)
         fall.residual = residual
@@ -233,10 +234,10 @@ class LawCandidate(LoopCandidate, SystemCandidate):
         conditions += [Condition("reads the truth", why) for why in read]
         return conditions + [Condition("rounding")] * self.is_rounded
 
-    def _below_decay(self) -> tuple[sympy.Expr, bool, str]:
+    def _below_decay(self) -> tuple[Expr, bool, str]:
         """Return what V' has beyond its decay, or half of it, if that falls, and the decay."""
         residual = self.excess(self.decay)
-        for share, ending in ((sympy.S.Zero, ""), (sympy.S.Half, "/2")):
+        for share, ending in ((S.Zero, ""), (S.Half, "/2")):
             above = residual + share * self.decay
             if self.rises and self.never_positive(above):
                 return above, True, self.decay_text + ending
@@ -250,13 +251,13 @@ class LawCandidate(LoopCandidate, SystemCandidate):
         half = "/2" * decay.endswith("/2")
         zones = [*enumerate(map(float, self.zones), 1)]
         below = " and ".join(
-            f"|Delta_{i}| <= {at_least(zone)} KD_{i}{half}" for i, zone in zones
+            f"`|Delta_{i}| <= {at_least(zone)} KD_{i}{half}`" for i, zone in zones
         )
-        ends = " and ".join(f"|e_{i}| comes to {at_most(zone)}" for i, zone in zones)
-        where = [] if self.reads_flow else [Condition("truth", below)]
-        most = f"-D^T KD D{half}" if decay.startswith("-D^T") else "0"
-        claim = f"V' <= {most if where else decay}"
-        fields = {"losses": self.e, "of": ends, "conditions": where}
+        ends = " and ".join(f"`|e_{i}|` comes to {at_most(zone)}" for i, zone in zones)
+        where = [] if self.reads_flow else [Condition("truth", said(below))]
+        most = f"-D^T KD D{half}" if decay.startswith("D^T") else "0"
+        claim = said(f"V' <= `{most if where else f'-{decay}'}`")
+        fields = {"losses": self.e, "of": said(ends), "conditions": where}
         return bounded(claim, "zone falls", **fields)
 
     @property
@@ -291,19 +292,19 @@ class LawCandidate(LoopCandidate, SystemCandidate):
         rest = dict(zip(x, z, strict=True)) | self._true_states()
         return search_of(self.loop, rest, self.seed)
 
-    def _true_states(self) -> dict[Any, sympy.Expr]:
+    def _true_states(self) -> dict[Any, Expr]:
         """Return states -> their values for true alpha, K and Gamma, where those are known."""
         truth, states = truth_in(self.loop), {*self.loop.motion}
         true = {"alpha": -truth.theta.ravel(), "K": truth.KD, "Gamma": truth.GammaD}
-        values = dict.fromkeys(self.e, sympy.S.Zero)
+        values = dict.fromkeys(self.e, S.Zero)
         for port, numbers in true.items():
             outputs = self.loop.signals[port].flat
             for output, number in zip(outputs, numbers, strict=True):
-                error = sympy.expand(self.of_e(output).xreplace(values) - number)
+                error = expand(self.of_e(output).xreplace(values) - number)
                 moving = [*error.free_symbols & states]
                 slope = sympy.diff(error, moving[0]) if len(moving) == 1 else error
                 if slope.is_nonzero and not slope.has(*states):
-                    values[moving[0]] = sympy.expand(moving[0] - error / slope)
+                    values[moving[0]] = expand(moving[0] - error / slope)
         return {s: value for s, value in values.items() if s not in self.e}
 
     def _rises(self) -> Failure | None:
@@ -317,7 +318,7 @@ class LawCandidate(LoopCandidate, SystemCandidate):
         V = self.at_z(self.V)
         return self.search.sign_at(V - V.xreplace(self.search.rest), -1)
 
-    def refuted_at_jump(self, rise: sympy.Expr) -> Refutation | None:
+    def refuted_at_jump(self, rise: Expr) -> Refutation | None:
         """Return a point at which V of the running blocks rises at a jump, however far off."""
         jump = self.search.rising_jump() if self.fitted else None
         if jump is None:
@@ -326,11 +327,11 @@ class LawCandidate(LoopCandidate, SystemCandidate):
         claim = f"V rises at a jump by {size:.3g}, ten and a hundred times as far off"
         return Refutation(claim, exact(claim, False), before, None, after)
 
-    def rises_at_jumps(self) -> list[sympy.Expr]:
+    def rises_at_jumps(self) -> list[Expr]:
         """Return by how much V rises at each set of jumps."""
         V = self.at_z(self.V)
         if V.has(*self.inputs):  # they may jump as well
-            return [sympy.Symbol("jump_of_V", real=True)]
+            return [Symbol("jump_of_V", real=True)]
         after = self.loop.jumps_at_once()
         return [normal_form(self.of_e(V.xreplace(jump) - V)) for jump in after]
 
@@ -376,7 +377,7 @@ def _outside_V(law: Any, definite: Definite) -> list[str]:
     return [port for port in states if {*states[port].flat} - in_V]
 
 
-def _of_every_N(law: Any, symbol: sympy.Expr, index: Index) -> sympy.Expr:
+def _of_every_N(law: Any, symbol: Expr, index: Index) -> Expr:
     """Return a parameter's element for every N: V's are numbers, the law's or the truth's."""
     generic = [name for name in index if isinstance(name, str)]
     weight = law.of_V.get(symbol, symbol)
@@ -397,11 +398,11 @@ def faster_than(power: int, rates: Mapping[str, Any], states: Mapping[str, Any])
     elements = [s for symbols in states.values() for s in np.ravel(symbols)]
     names = {str(s).split("[")[0] for s in elements}
 
-    def is_state(symbol: sympy.Symbol) -> bool:
+    def is_state(symbol: Symbol) -> bool:
         return str(symbol).split("[")[0] in names  # m[k] is one of m[j]
 
     for port, values in rates.items():
         for rate in np.ravel(values):
-            if degree(sympy.sympify(rate).xreplace({TIME: CLOCK}), is_state) > power:
-                return said("{} = {}", port, sympy.sympify(rate))
+            if degree(sympify(rate).xreplace({TIME: CLOCK}), is_state) > power:
+                return said("{} = {}", port, sympify(rate))
     return ""

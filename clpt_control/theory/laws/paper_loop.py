@@ -15,6 +15,7 @@ import numpy as np
 from ...engine.model.ports import named
 from ..algebra.exact import vanishes
 from ..proofs.same_as_running import running_step
+from ..proofs.statements import said
 from ..proofs.steps import Step
 from ..proofs.symbolic_loop import ArrayLoop, symbolic_loop
 from .theorem_loop import WIRED, Hedging, decay_and_known_error, theorem_loop
@@ -25,7 +26,7 @@ Check = tuple[bool, str]  # whether a claim holds, and why not
 def line(claim: str, *checks: Check, shows: str = "") -> Step:
     """Return a line of a proof for every N; it holds if each check does."""
     failed = next((detail for holds, detail in checks if not holds), None)
-    return Step(claim, failed is None, "exact", failed or "", shows=shows)
+    return Step(said(claim), failed is None, "exact", failed or "", shows=shows)
 
 
 def algebra(*residuals: str) -> Check:
@@ -109,14 +110,14 @@ def running(paper: PaperLoop, points: int, claim: str) -> Step:
     """Check V and all rates at random points of the blocks that run."""
     diagram = paper.loop.diagram
     return running_step(
-        lambda: symbolic_loop(diagram), points, f" ({claim})", "N = 3, "
+        lambda: symbolic_loop(diagram), points, said(" ({})", claim), "N = 3, "
     )
 
 
 def mean_square() -> Step:
     """Check -k e^2 + e d <= -k e^2/2 + d^2/(2 k), which bounds the mean square of e."""
     return line(
-        "-k e^2 + e d <= -k e^2/2 + d^2/(2k): what is left is (k/2)(e - d/k)^2; its integral "
+        "`-k e^2 + e d <= -k e^2/2 + d^2/(2k)`: what is left is `(k/2)(e - d/k)^2`; its integral "
         "bounds the mean square",
         algebra("k*e**2/2 + d**2/(2*k) - e*d - k*(e - d/k)**2/2"),
         shows="mean",
@@ -126,7 +127,7 @@ def mean_square() -> Step:
 def quadratic(paper: PaperLoop, equation: str) -> Step:
     """Check that V is half a sum of squares, each error by its gain."""
     return line(
-        f"V of Eq. {equation} is positive definite in e and the parameter errors, and radially "
+        f"V of Eq. {equation} is positive definite in `e` and the parameter errors, and radially "
         "unbounded: half the sum of their squares, each with a positive weight",
         paper.positive(paper.gamma),
         paper.zero(paper.V - paper.sum_of_squares()),
@@ -134,14 +135,14 @@ def quadratic(paper: PaperLoop, equation: str) -> Step:
     )
 
 
-KNOWN_ERROR = "V' = -e^T KD e + e^T (theta - theta_hat) phi"
+KNOWN_ERROR = said("V' = `-e^T KD e + e^T (theta - theta_hat) phi`")
 
 
 def known_flow_steps(paper: PaperLoop, points: int) -> list[Step]:
     """Check V' of the known-flow law, Theorem 3.1."""
     zero = paper.zero(paper.rate(paper.V) - decay_and_known_error(paper.loop))
     return [
-        line(f"{KNOWN_ERROR}, for every N", zero, shows="values"),
+        line(said("{}, for every N", KNOWN_ERROR), zero, shows="values"),
         running(paper, points, KNOWN_ERROR),
         quadratic(paper, "(17)"),
         mean_square(),

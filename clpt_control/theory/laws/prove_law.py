@@ -27,9 +27,10 @@ from ..proofs.conclusions import Condition, for_sizes
 from ..proofs.judge import Verdict, judge
 from ..proofs.paper_symbols import paper_name
 from ..proofs.proof import where_all_hold
-from ..proofs.steps import exact_step, first_failure, worked_out
+from ..proofs.statements import said
+from ..proofs.steps import exact_step, first_failure, of_user, worked_out
 from .default_candidate import default_V, user_V
-from .fixes import LARGEST_W, SIZES_AT_FIXES, fix_steps
+from .fixes import CHANGE, LARGEST_W, SIZES_AT_FIXES, fix_steps
 from .invariants import Invariants
 from .law_candidate import LawCandidate
 from .paper_loop import KNOWN_ERROR, PaperLoop, known_flow_steps
@@ -37,7 +38,7 @@ from .theorem_loop import law_and_V, theorem_loop
 
 SIZES = (1, 2, 3)  # numbers of functions
 MIDDLE = 2  # of `SIZES`: the running blocks are compared for it
-MEAN = "|e| <= |(theta - theta_hat) phi| over the least of KD"
+MEAN = said("`|e| <= |(theta - theta_hat) phi|` over the least of `KD`")
 ANY = "clpt.lyapunov(diagram, V) judges a V of your own on any diagram"
 
 
@@ -135,9 +136,10 @@ def prove(
                 f"{block.name}: a law whose states keep relations needs its V"
             )
         declared = Law(block.name, rates=block.values, V_rate="-e^T KD e - losses")
-        law = declared.with_parts(
-            {"invariants": invariants, "semidefinite": semidefinite, "losses": losses}
-        )
+        parts = {"semidefinite": semidefinite}
+        for name, function in ("invariants", invariants), ("losses", losses):
+            parts[name] = of_user(f"{block.name}: {name}", function)
+        law = declared.with_parts(parts)
         blocks = block, user_V(V, block).make
         return judge(Invariants(law, N, points, seed, blocks, start or {}))
 
@@ -147,7 +149,8 @@ def verdict_on_row(law: Law, points: int, block: Block, seed: int = 0) -> Verdic
     if law.at_fixes:  # CLPE does not go to zero between fixes
         where = (Condition("limits"),)
         steps = fix_steps(law, points)
-        claim, bound = f"V' = {law.V_rate}", f"({LARGEST_W})^2"
+        claim = said(f"V' = 0; at a fix V changes by `{CHANGE}, w = y - eta m`")
+        bound = said(f"`({LARGEST_W})^2`")
         proof = where_all_hold(
             claim, steps, "definite", where, SIZES_AT_FIXES, bound=bound
         )

@@ -20,6 +20,7 @@ from typing import Any
 
 import numpy as np
 import sympy
+from sympy import Dummy, Poly, symbols
 from sympy.core.function import AppliedUndef
 
 from ...engine.record.symbolic import rational
@@ -36,22 +37,21 @@ from .theorem_loop import ErrorCoordinates, theorem_scenario
 
 START = (0.4, -0.7)  # of vehicle and learner
 BOUNDS = (  # of eta and P, as `covariance_rates` has what moves
-    "tr(eta P^-1 eta^T)' = -|eta phi_f|^2/r^2 - lambda tr(eta P^-1 eta^T): it never rises",
-    "(k_0 - tr P)' >= 0 where tr P = k_0: tr P <= k_0 is kept",
-    "(rho P)' = -rho (P phi_f) (P phi_f)^T/r^2: P^-1 >= rho P(0)^-1 at all times",
-    "P' + P phi_f phi_f^T P/r^2 = lambda P: P^-1 <= P(0)^-1 + int phi_f phi_f^T/r^2",
+    "`tr(eta P^-1 eta^T)' = -|eta phi_f|^2/r^2 - lambda tr(eta P^-1 eta^T)`: it never rises",
+    "`(k_0 - tr P)' >= 0` where `tr P = k_0`: `tr P <= k_0` is kept",
+    "`(rho P)' = -rho (P phi_f) (P phi_f)^T/r^2`: `P^-1 >= rho P(0)^-1` at all times",
+    "`P' + P phi_f phi_f^T P/r^2 = lambda P`: `P^-1 <= P(0)^-1 + int phi_f phi_f^T/r^2`",
 )
 BOUNDED_BY_V = (
-    "|eta|^2 <= tr P tr(eta P^-1 eta^T) <= k_0 tr(eta P^-1 eta^T): eta is bounded by V"
+    "`|eta|^2 <= tr P tr(eta P^-1 eta^T) <= k_0 tr(eta P^-1 eta^T)`: "
+    "`eta` is bounded by V"
 )
 
 
 @cache
 def arbitrary(n: int, name: str = "c") -> np.ndarray:
     """Return n symbols that may be any numbers, the same ones each time: what is found of them."""
-    return np.array(
-        sympy.symbols(f"{name}_1:{n + 1}", real=True, cls=sympy.Dummy), dtype=object
-    )
+    return np.array(symbols(f"{name}_1:{n + 1}", real=True, cls=Dummy), dtype=object)
 
 
 def off_at_the_start(case: Any) -> str:
@@ -164,16 +164,16 @@ def keeps_a_ceiling(case: Any, port: str) -> bool:
     for after in case.loop.jumps.values():
         if any(after.get(m, m) != m for m in case.matrices[port].flat):
             return False
-    K = np.array([sympy.Dummy(positive=True) for _ in case.matrices[port]])
+    K = np.array([Dummy(positive=True) for _ in case.matrices[port]])
     rate = case.rate_where(port, K)
     for factor in sympy.Mul.make_args(as_factors(rate)):
         base, power = factor.as_base_exp()
-        is_linear = base.has(*K) and sympy.Poly(base, *K).total_degree() == 1
+        is_linear = base.has(*K) and Poly(base, *K).total_degree() == 1
         if not (power.is_positive and is_linear):
             continue
         moving = base.free_symbols - {*K, *case.loop.values}
         moving |= base.atoms(AppliedUndef)
-        equations = sympy.Poly(base, *moving).coeffs() if moving else [base]
+        equations = Poly(base, *moving).coeffs() if moving else [base]
         solutions = [*sympy.linsolve(equations, *K)]
         if solutions and all(k.is_positive for k in solutions[0]):
             return not case.forks(rate)
@@ -222,8 +222,8 @@ def covariance_rates(case: Any) -> tuple[tuple[Any, Any], ...]:
 def _is_bounded_by_V(case: Any) -> bool:
     """Return whether tr P p P p^T - |p P|^2 is a sum of squares for P = sum of v v^T."""
     n = len(case.matrices["P"])
-    p = np.array(sympy.symbols(f"p_1:{n + 1}", real=True))
-    v = np.array(sympy.symbols(f"v_1:{n * n + 1}", real=True)).reshape(n, n)
+    p = np.array(symbols(f"p_1:{n + 1}", real=True))
+    v = np.array(symbols(f"v_1:{n * n + 1}", real=True)).reshape(n, n)
     P = v.T @ v
     squares = sum(
         sum((v[a] * (v[b] @ p) - v[b] * (v[a] @ p)) ** 2)

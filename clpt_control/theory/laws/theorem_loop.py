@@ -25,6 +25,7 @@ from ...paper.laws.table import LAWS
 from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.file import paper_scenario
 from ...simulation.loop_blocks import paper_blocks
+from ...simulation.user_components import functions_of
 from ..proofs.symbolic_loop import ArrayLoop, SymbolicLoop
 from .promises import truth_of
 
@@ -124,7 +125,7 @@ def theorem_loop(
 def law_loop(law: Law, block: Block, V: Block, speed: Hedging = "no limit") -> Diagram:
     """Wire a law of the table with its V."""
     name = law.name if law.alpha_is_constant else "learned-flow"
-    return theorem_loop(block.sizes["N"], name, False, block, V, speed)
+    return theorem_loop(functions_of(block), name, False, block, V, speed)
 
 
 def theorem_candidate(scenario: Scenario) -> Block:

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
-import sympy
+from sympy import Expr, S
 
 from .conclusions import Condition
 from .steps import Step, first_failure
@@ -15,8 +15,8 @@ class Definite(NamedTuple):
     """V is positive definite in forms."""
 
     step: Step
-    forms: Sequence[sympy.Expr] = ()  # that V bounds
-    least: Mapping[Any, sympy.Expr] | None = None  # the one point at which V is least
+    forms: Sequence[Expr] = ()  # that V bounds
+    least: Mapping[Any, Expr] | None = None  # the one point at which V is least
     is_steady: bool = (
         False  # V is between two functions of its states, zero at that point
     )
@@ -31,15 +31,15 @@ class Fall:
 
     steps: list[Step]
     claim: str = ""  # V' <= -e^T KD e
-    losses: Sequence[sympy.Expr] = ()  # forms of which V' loses multiples of squares
+    losses: Sequence[Expr] = ()  # forms of which V' loses multiples of squares
     bound: str = ""  # what is lost, as text: e^T KD e
     of: str = ""  # what goes to zero, as text: CLPE goes
     level: Any = None
     zeroed: Mapping[Any, Any] = field(default_factory=dict)  # inputs that are 0
     conditions: list[Condition] = field(default_factory=list)
-    rate: sympy.Expr | None = None  # V' as it was judged
-    residual: sympy.Expr = sympy.S.Zero  # of a law: V' less its fall
-    slow: Sequence[sympy.Expr] = ()  # forms of W, of V' <= -f(t) W, int f dt = oo
+    rate: Expr | None = None  # V' as it was judged
+    residual: Expr = S.Zero  # of a law: V' less its fall
+    slow: Sequence[Expr] = ()  # forms of W, of V' <= -f(t) W, int f dt = oo
 
     @property
     def holds(self) -> bool:
@@ -51,7 +51,7 @@ class Jumps(NamedTuple):
     """V rises at no jump, or by how much it may."""
 
     step: Step
-    rise: sympy.Expr = sympy.S.Zero
+    rise: Expr = S.Zero
 
 
 class Refutation(NamedTuple):

@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from typing import Any
 
 import sympy
-from sympy import Add, Expr, Mul
+from sympy import Add, Expr, Mul, expand
 
 from ..algebra.exact import factored
 from ..algebra.facts import is_smooth
@@ -52,7 +52,7 @@ def written_in(d: Any, margin: Expr, parameters: set) -> tuple[Any, Expr, Expr] 
             slope = sympy.diff(margin, q)
             if slope.has(q) or not (sign * slope).is_positive:
                 continue
-            end = sympy.expand(q - margin / slope)
+            end = expand(q - margin / slope)
             keeps_sign = sign < 0 and q.is_positive and end.is_positive
             value = end / (1 + d) if keeps_sign else end + sign * d
             return q, value, sympy.solve(value - q, d)[0]
@@ -74,7 +74,7 @@ def assume(case: Any, margin: Expr) -> None:
 
 def as_relation(margin: Expr) -> Statement:
     """Return margin > 0 in words, each term on the side where it is positive: b > a, r < 1."""
-    terms = Add.make_args(sympy.expand(margin))
+    terms = Add.make_args(expand(margin))
     below = Add(*(t for t in terms if t.could_extract_minus_sign()))
     above, less = Add(*terms) - below, -below
     return (

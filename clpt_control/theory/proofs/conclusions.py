@@ -125,7 +125,7 @@ CONCLUSIONS = {
         "give a V that holds the other states",
     ),
     "bounded by its fixes": Conclusion(
-        "so 2 V stays below B, which grows by {bound} at a fix",
+        "so 2 V stays below `B`, which grows by {bound} at a fix",
         _needs("definite fixes"),
         "`clpt excitation --bounds` computes B",
     ),
@@ -238,7 +238,7 @@ class Judged:
             text and cut(text, LONGEST_BOUND) for text in (level, self.bound)
         )
         row = CONCLUSIONS[self.conclusion]
-        follows = row.sentence.format(of=self.of, bound=bound or level, level=level)
+        follows = said(row.sentence, of=self.of, bound=bound or level, level=level)
         claim = cut(self.claim, most - len(follows) - 2)
         return ", ".join(filter(None, (claim, follows)))
 

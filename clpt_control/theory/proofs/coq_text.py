@@ -14,10 +14,11 @@ from collections.abc import Iterable
 from typing import Any, NoReturn
 
 import sympy
+from sympy import S
 from sympy.printing.str import StrPrinter
 
 from ...base.errors import DiagramError
-from ...engine.diagram.symbol_names import in_ascii
+from ...engine.diagram.typesetting import in_ascii
 
 FUNCTIONS = {
     "Abs": "Rabs",
@@ -177,7 +178,7 @@ class CoqPrinter(StrPrinter):
 
     def _print_Pow(self, power: Any, rational: bool = False) -> str:
         is_whole = power.exp.is_Integer and power.exp.is_positive
-        if is_whole or power.exp in (-1, sympy.S.Half, -sympy.S.Half):
+        if is_whole or power.exp in (-1, S.Half, -S.Half):
             return super()._print_Pow(power).replace("**", "^")
         if power.exp.is_Integer:
             return f"(1/({self._print(1 / power)}))"

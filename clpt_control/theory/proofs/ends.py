@@ -15,7 +15,7 @@ from itertools import product
 from typing import Any, NamedTuple
 
 import sympy
-from sympy import Expr
+from sympy import Dummy, Expr, Mul, Poly, S, Tuple, diff, fraction, pi, sin, together
 
 from ...engine.diagram.symbol_names import TIME
 from ..algebra.decide import never_positive
@@ -60,7 +60,7 @@ def ends(candidate: Any, definite: Definite, fall: Fall, motion: Motion) -> Ends
         q for q in (fall.losses or fall.slow) if jumps_nowhere(q) and not q.has(*fading)
     ]
     of = fall.of or candidate.go(fall.losses)
-    if least and zero_of(Squares(sympy.S.Zero, [], lost), [*least]) == least:
+    if least and zero_of(Squares(S.Zero, [], lost), [*least]) == least:
         claim = "V' < 0 but at the rest"
         claim += ", or at times: its integral is infinite off the rest" * bool(
             fall.slow
@@ -166,15 +166,15 @@ def zero_by_rates(candidate: Any, motion: Motion, zero: Sequence[Expr]) -> list[
     for q in zero:
         case.add(motion.quiet(q))
     for q in case.zero:  # grows
-        rate, moved = motion.rate_of(q), {s: sympy.Dummy() for s in case.solved}
+        rate, moved = motion.rate_of(q), {s: Dummy() for s in case.solved}
         slopes = [along(e, moved) for e in (rate, *case.solved.values())]
         is_short = rate.count_ops() <= MOST_OPERATIONS
         is_known = is_short and len(case.zero) < MOST_ROUNDS and jumps_nowhere(rate)
         if not is_known or any(map(motion.not_bounded, slopes)):
             continue
         form = case.in_free_states(rate)
-        factors = sympy.Mul.make_args(factored(form))
-        loose = sympy.Mul(*(f for f in factors if not case.is_never_zero(f)))
+        factors = Mul.make_args(factored(form))
+        loose = Mul(*(f for f in factors if not case.is_never_zero(f)))
         base, power = loose.as_base_exp()
         is_one = base.has(*motion.rates) and not base.is_Mul and power.is_positive
         if is_one and not _unmet_premise(candidate, motion, form):
@@ -194,7 +194,7 @@ def lasalle(candidate: Any, fall: Fall, motion: Motion) -> "list[Still]":
     rest where V' < 0.
     """
     rates = [*motion.rates.values()]
-    moves = sympy.Tuple(candidate.V, *rates).has(
+    moves = Tuple(candidate.V, *rates).has(
         TIME, *candidate.intervals, *motion.inputs.values()
     )
     if moves or motion.free or motion.near or candidate.eq.jumps:
@@ -241,7 +241,7 @@ def cases_of(start: "Still", forms: Sequence[Expr], moving: bool) -> "list[Still
         factors = case.factors(form)
         if not factors:  # the form is never zero: no run stays in this case
             continue
-        product = sympy.Mul(*factors)
+        product = Mul(*factors)
         if factors[1:] and not case.discrete:
             case.zero.append(product)
             unfinished += [(case.copy(), [f, *queue]) for f in reversed(factors)]
@@ -317,7 +317,7 @@ class Still:
 
     def reduced(self, expression: Expr) -> Expr:
         """Return 0, or the product of the factors of an expression that may be zero."""
-        return sympy.Mul(*self.factors(expression))
+        return Mul(*self.factors(expression))
 
     def factors(self, expression: Expr) -> list[Expr]:
         """Return the factors that may be zero of an expression where all that was found is zero."""
@@ -325,19 +325,19 @@ class Still:
         while e != before:
             before, e = e, normal_form(decided(e.xreplace(self.solved)))
         if vanishes(e):
-            return [sympy.S.Zero]
-        numerator, _ = sympy.fraction(sympy.together(e))
+            return [S.Zero]
+        numerator, _ = fraction(together(e))
         factors = dict[Expr, None]()
-        for factor in sympy.Mul.make_args(factored(numerator)):
+        for factor in Mul.make_args(factored(numerator)):
             base = factor.as_base_exp()[0]
             if self.is_never_zero(factor):
                 continue
             plain = self.plain(base)
             factors |= dict.fromkeys([base] if plain == base else self.factors(plain))
         signed = {*factors, *(-f for f in factors)}
-        is_zero = any(signed >= {*sympy.Mul.make_args(g)} for g in self.zero)
-        if is_zero or sympy.S.Zero in factors:
-            return [sympy.S.Zero]
+        is_zero = any(signed >= {*Mul.make_args(g)} for g in self.zero)
+        if is_zero or S.Zero in factors:
+            return [S.Zero]
         return [*factors]
 
     def is_never_zero(self, factor: Expr) -> bool:
@@ -351,7 +351,7 @@ class Still:
             return bool(factor.is_nonzero)
         base, exponent = factor.as_base_exp()
         if isinstance(base, sympy.cos):
-            sine = self.solved.get(sympy.sin(*base.args))
+            sine = self.solved.get(sin(*base.args))
             return sine is not None and bool((1 - sine**2).is_nonzero)
         total = squares(base, self.fixed) if base.is_Add else None
         return bool(
@@ -372,10 +372,10 @@ class Still:
             if any(rising_in(e * h, s) for e in (s, -s)):
                 return s
         if len(calls := h.atoms(*INVERSES)) == 1:
-            (call,), word = calls, sympy.Dummy()
-            slope = sympy.diff(h.xreplace({call: word}), word)
+            (call,), word = calls, Dummy()
+            slope = diff(h.xreplace({call: word}), word)
             value = -normal_form(h - slope * call) / slope
-            is_number = not sympy.Tuple(slope, value).free_symbols - self.fixed
+            is_number = not Tuple(slope, value).free_symbols - self.fixed
             inverse = INVERSES[call.func](value)
             if is_number and inverse.is_real:
                 return call.args[0] - inverse
@@ -384,8 +384,8 @@ class Still:
     def _solve(self, g: Expr) -> None:
         """Solve an expression that is zero for a state or a sine, linear in it."""
         atoms = sorted({*self.rates} & g.free_symbols, key=str)
-        for a in [*atoms, *sorted(g.atoms(sympy.sin), key=str)]:
-            slope = sympy.diff(g, a) if a.is_Symbol else g.coeff(a)
+        for a in [*atoms, *sorted(g.atoms(sin), key=str)]:
+            slope = diff(g, a) if a.is_Symbol else g.coeff(a)
             if slope.free_symbols - self.fixed or not slope.is_nonzero:
                 continue
             remainder = normal_form(g - slope * a)
@@ -427,18 +427,18 @@ class Still:
         ):
             return True
         angles = {call.args[0] for form in forms for call in form.atoms(*ANGLES)}
-        level = sympy.Dummy()
+        level = Dummy()
         forms.append(self.in_free_states(self.V) - level)
         for angle in angles:
-            turned = {f(angle): sympy.Dummy() for f in ANGLES}
+            turned = {f(angle): Dummy() for f in ANGLES}
             forms = [form.xreplace(turned) for form in forms]
             forms.append(sympy.Add(*(value**2 for value in turned.values())) - 1)
             if len(angle.free_symbols) == 1 and angle.is_polynomial():
                 variables -= angle.free_symbols
             variables |= {*turned.values()}
-        parameters = sorted(sympy.Tuple(*forms).free_symbols & self.fixed, key=str)
+        parameters = sorted(Tuple(*forms).free_symbols & self.fixed, key=str)
         symbols = [*variables, level, *parameters]
-        forms = [sympy.fraction(sympy.together(form))[0] for form in forms]
+        forms = [fraction(together(form))[0] for form in forms]
         forms = [
             form
             for form in forms
@@ -469,16 +469,16 @@ class Still:
         """Return the rests between states: each state a number, or a zero of its sine."""
         choices = []
         for s, a, b in zip(self.rates, low, high, strict=True):
-            sines = [g for g in self.solved if isinstance(g, sympy.sin) and g.has(s)]
+            sines = [g for g in self.solved if isinstance(g, sin) and g.has(s)]
             if s in self.solved:
                 choices.append([self.solved[s]])
                 continue
-            if not sines or not sympy.Poly(sines[0].args[0], s).is_linear:
+            if not sines or not Poly(sines[0].args[0], s).is_linear:
                 return []
-            slope, phase = sympy.Poly(sines[0].args[0], s).all_coeffs()
-            turns = sorted((slope * end + phase) / sympy.pi for end in (a, b))
+            slope, phase = Poly(sines[0].args[0], s).all_coeffs()
+            turns = sorted((slope * end + phase) / pi for end in (a, b))
             counts = range(int(sympy.ceiling(turns[0])), int(sympy.floor(turns[1])) + 1)
-            choices.append([(k * sympy.pi - phase) / slope for k in counts])
+            choices.append([(k * pi - phase) / slope for k in counts])
         points = (dict(zip(self.rates, p, strict=True)) for p in product(*choices))
         rests = [{s: v.xreplace(p) for s, v in p.items()} for p in points]
         numbers = all(v.is_number for p in rests for v in p.values())

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import sympy
-from sympy import Add, Expr, Mul, S
+from sympy import Abs, Add, Expr, Mul, S, diff, expand
 
 from ...engine.diagram.symbol_names import TIME
 from ..algebra.facts import roots_in
@@ -67,8 +67,8 @@ ALWAYS = (
 OUTSIDE = "outside V, bounded"  # condition of a verdict
 BETWEEN = *RANGED, sympy.atan  # two numbers
 # bounded where their arguments are
-GROWING = Add, Mul, sympy.Pow, sympy.exp, sympy.Abs, sympy.sinh, sympy.cosh
-UNDONE = {f: f"vanishes_of_{f.__name__.lower()}" for f in (sympy.Abs, *RISING)}
+GROWING = Add, Mul, sympy.Pow, sympy.exp, Abs, sympy.sinh, sympy.cosh
+UNDONE = {f: f"vanishes_of_{f.__name__.lower()}" for f in (Abs, *RISING)}
 
 
 class File:
@@ -217,7 +217,7 @@ class File:
         self.lines.append(RUN.format(fields=record, facts=" ".join(facts)))
         for d in filter(self.case.box.__contains__, self.inputs):
             low, high = self.case.box[d]
-            shares = (sympy.expand(e / (high - low)) for e in (d - low, high - d))
+            shares = (expand(e / (high - low)) for e in (d - low, high - d))
             self.write(BOX.format(*map(self.text, shares), name=self.name[d]))
         rest = self.still()
         if all(sympy.simplify(r.xreplace(rest)) == 0 for r in self.motion.values()):
@@ -251,7 +251,7 @@ class File:
         pull = f"{push} - ({decay}) * V i t " * (not case.falls)
         self.write(
             SUMS.format(
-                V=parts if case.V.has(sympy.Abs) else text(case.V),
+                V=parts if case.V.has(Abs) else text(case.V),
                 loss=total(case.losses, text),
                 rate=text(case.rate),
                 fall=f"{pull}- loss i t",
@@ -269,7 +269,7 @@ class File:
     def level(self) -> None:
         """Write that V stays below the level where it begins."""
         below = self.case.below
-        level, room = self.text(below), self.text(sympy.expand(below - self.case.V))
+        level, room = self.text(below), self.text(expand(below - self.case.V))
         is_whole = below == sympy.Rational(f"{self.verdict.level:.4g}")
         name = "V_stays" if is_whole else "V_stays_in_part"
         proof = f"stays_of ({level}) (V_sum i) (begins i) V loss (fun t => {room})"
@@ -367,8 +367,8 @@ class File:
         """Return a state, a form, and its distance from the rest by the form and what is known."""
         for form in forms:
             for s in sorted(form.free_symbols & {*self.motion}, key=str):
-                slope, off = sympy.diff(form, s), self.off[s]
-                rest = sympy.expand(form - slope * off)
+                slope, off = diff(form, s), self.off[s]
+                rest = expand(form - slope * off)
                 is_linear = self.is_fixed(slope) and slope.is_nonzero
                 if off not in known and is_linear and is_known(rest):
                     less = f" - ({self.text(rest)})" * (rest != 0)
@@ -379,8 +379,8 @@ class File:
     def lags(self) -> None:
         """Write that states with x' = -k x + u are bounded, as u is."""
         for s, rate in self.motion.items():
-            pull = -sympy.diff(rate, s)
-            rest = sympy.expand(rate + pull * s)
+            pull = -diff(rate, s)
+            rest = expand(rate + pull * s)
             is_lag = pull.is_positive and self.is_fixed(pull)
             if s not in self.bounded and is_lag and self.is_bounded(rest):
                 name = self.name[s]
@@ -438,7 +438,7 @@ class File:
             self.vanish("rest", self.off.values())
         if self.zero and all(map(self.is_zero, self.case.lost)):
             self.vanish("limits", self.zero)
-        rates = [sympy.expand(rate) for rate in self.motion.values()]
+        rates = [expand(rate) for rate in self.motion.values()]
         if all(map(self.is_zero, rates)):
             self.vanish("still", rates)
 
@@ -480,15 +480,15 @@ class File:
             if self.is_at_rest or k == len(self.zero):
                 return
             form, name = [*self.zero.items()][k]
-            rate = sympy.expand(along(form, self.motion) + form.diff(TIME))
+            rate = expand(along(form, self.motion) + form.diff(TIME))
             if rate.count_ops() > MOST_OPERATIONS or not self.is_steady(rate):
                 continue
             text = self.text(rate)
             claim = f"vanishes (T i) (fun t => {text})"
             self.lemma(f"rate_{k}", claim, f"next_of ({name} i)")
             at_rest = {s: s - off for s, off in self.off.items() if off in self.zero}
-            kept = sympy.expand(rate.xreplace(at_rest))
-            gone = sympy.expand(rate - kept)
+            kept = expand(rate.xreplace(at_rest))
+            gone = expand(rate - kept)
             if kept != 0 and self.is_zero(gone):
                 self.factor_to_zero(kept, f"({text}) - ({self.text(gone)})")
 
@@ -497,7 +497,7 @@ class File:
         return e in self.zero or all(
             term == 0
             or (self.is_bounded(term) and any(map(self._fades, Mul.make_args(term))))
-            for term in Add.make_args(sympy.expand(e))
+            for term in Add.make_args(expand(e))
         )
 
     def _fades(self, factor: Expr) -> bool:

@@ -25,6 +25,7 @@ from types import MappingProxyType
 from typing import Any
 
 import sympy
+from sympy import Dummy, Expr, log
 
 from ...base.errors import DiagramError
 from ...base.files import write_file
@@ -108,15 +109,15 @@ class Verdict(Judged):
     ('refuted', True)
     """
 
-    V: sympy.Expr | None = None
-    rate: sympy.Expr | None = None
+    V: Expr | None = None
+    rate: Expr | None = None
     inputs: tuple[str, ...] = ()
     point: Point | None = None
     value: float | None = None
-    residual: sympy.Expr = sympy.S.Zero
+    residual: Expr = sympy.S.Zero
     diagram: Diagram | None = None
     after: Point | None = None
-    claimed: sympy.Expr | None = None
+    claimed: Expr | None = None
     equations: Equations | None = field(default=None, compare=False)
     ways: Callable[[], Any] = field(default=tuple, repr=False, compare=False)
 
@@ -188,16 +189,14 @@ class LyapunovCandidate(ABC):
 
     system: Any
     eq: Equations
-    V: sympy.Expr
-    rate: sympy.Expr  # V'
-    motion: Mapping[Any, sympy.Expr]  # rates of the states that V is written in
+    V: Expr
+    rate: Expr  # V'
+    motion: Mapping[Any, Expr]  # rates of the states that V is written in
     fixed: set  # symbols of parameters
     numbers: set | None = None  # those that signs may depend on; None: all
-    rest: Mapping[Any, sympy.Expr] | None = (
-        None  # where V is to be least, if that is given
-    )
+    rest: Mapping[Any, Expr] | None = None  # where V is to be least, if that is given
     where = Where()  # sets of states, and bounds of inputs
-    given: Mapping[Any, sympy.Expr] = MappingProxyType(
+    given: Mapping[Any, Expr] = MappingProxyType(
         {}
     )  # symbol of a margin -> what it stands for
     errors: Any = ({}, {})  # states in errors of V, and what these are
@@ -226,14 +225,14 @@ class LyapunovCandidate(ABC):
             return Definite(exact(claim, False, "V may jump or bend"))
         at_start, rest_state = one_way(self), self.rest or {}
         # a state above 0 is not above its rest
-        off = {s: sympy.Dummy(f"{s}", real=True) for s in rest_state}
+        off = {s: Dummy(f"{s}", real=True) for s in rest_state}
         moved = sympy.expand_log(self.V.xreplace(at_start))
         # log(s) of a state above 0 is any number
         at_rest = [(s, d, rest_state[s]) for s, d in off.items()]
         exps = {
             s: r * sympy.exp(d)
             for s, d, r in at_rest
-            if s.is_positive and r > 0 and moved.has(sympy.log(s))
+            if s.is_positive and r > 0 and moved.has(log(s))
         }
         shift = {s: d + r for s, d, r in at_rest} | exps
         moved = sympy.expand_log(moved.xreplace(shift))
@@ -250,7 +249,7 @@ class LyapunovCandidate(ABC):
         if not total or not total.forms:
             return Definite(exact(claim, False, "not shown"))
         back = {d: s - r for s, d, r in at_rest}
-        logs = {d: sympy.log(s) - sympy.log(r) for s, d, r in at_rest if s in exps}
+        logs = {d: log(s) - log(r) for s, d, r in at_rest if s in exps}
         forms = [back.get(form) or form.xreplace(back | logs) for form in total.forms]
         contained = [s for s in states if any(form.has(s) for form in forms)]
         names = joined(", ", dict.fromkeys(map(self.text, forms)))
@@ -267,7 +266,7 @@ class LyapunovCandidate(ABC):
         answer = Definite(step, forms, least, off_zero=off_zero, most_lost=lost)
         motion, numbers = self.moving(answer, {}), (least or {}).values()
         motion.outside()
-        level = self.V.xreplace({s: sympy.Dummy(real=True) for s in states})
+        level = self.V.xreplace({s: Dummy(real=True) for s in states})
         is_bounded = {*contained} <= motion.bounded.keys()
         if not (least and is_bounded) or sympy.Tuple(*numbers).has(TIME):
             return answer
@@ -302,12 +301,12 @@ class LyapunovCandidate(ABC):
                 return Jumps(exact(claim, False, said("V changes by {}", rise)), rise)
         return Jumps(exact(claim, True, "", "jumps"))
 
-    def rises_at_jumps(self) -> list[sympy.Expr]:
+    def rises_at_jumps(self) -> list[Expr]:
         """Return by how much V rises at each set of jumps."""
         after = self.eq.jumps_at_once()
         return [normal_form(self.V.xreplace(change) - self.V) for change in after]
 
-    def never_positive(self, expression: sympy.Expr) -> bool:
+    def never_positive(self, expression: Expr) -> bool:
         """Return whether an expression is never positive for t >= 0, states in their sets."""
         parameters = self.fixed if self.numbers is None else self.numbers
         inside = (e.xreplace(self.where.inside) for e, _ in in_errors(self, expression))
@@ -319,7 +318,7 @@ class LyapunovCandidate(ABC):
         """Return a point that refutes V, if one is found, and the searches without one."""
         return None, []
 
-    def refuted_at_jump(self, rise: sympy.Expr) -> Refutation | None:
+    def refuted_at_jump(self, rise: Expr) -> Refutation | None:
         """Return a point at which V rises at a jump, if one is searched for."""
         return None
 
@@ -327,15 +326,15 @@ class LyapunovCandidate(ABC):
     def ways(self, definite: Definite, fall: Fall) -> Sequence[Callable[[], Any]]:
         """Return the ways to write V' as a sum, for a file of Coq."""
 
-    def text(self, expression: sympy.Expr) -> Statement:
+    def text(self, expression: Expr) -> Statement:
         """Return an expression as the user writes it."""
         return said("{}", expression)
 
-    def go(self, forms: Sequence[sympy.Expr]) -> Statement:
+    def go(self, forms: Sequence[Expr]) -> Statement:
         """Return "x, y go" of forms, or of shorter ones that span the same."""
         return go(map(self.text, simplest(forms, self.fixed - self.intervals)))
 
-    def at_z(self, expression: sympy.Expr) -> sympy.Expr:
+    def at_z(self, expression: Expr) -> Expr:
         """Return an expression in the states of the diagram."""
         return expression
 
@@ -345,7 +344,7 @@ class LyapunovCandidate(ABC):
 
     # --- its motion -----------------------------------------------------------------------------
 
-    def jumping(self, expression: sympy.Expr) -> set[str]:
+    def jumping(self, expression: Expr) -> set[str]:
         """Return the blocks at whose jumps an expression changes."""
         before = self.at_z(expression)
         after = {name: before.xreplace(jump) for name, jump in self.eq.jumps.items()}

@@ -100,9 +100,7 @@ def time_to_zero(case: Any, bound: Expr) -> Expr | None:
 
 def _has_no_integral(f: Expr) -> bool:
     """Return whether f >= 0 is a polynomial in waves, or a fraction that falls at most as 1/t."""
-    waves = {
-        w: sympy.Dummy() for w in f.atoms(*ANGLES) if w.args[0].diff(TIME).is_number
-    }
+    waves = {w: Dummy() for w in f.atoms(*ANGLES) if w.args[0].diff(TIME).is_number}
     of_waves = f.xreplace(waves)
     if waves:  # almost periodic: its mean is positive
         return bool(of_waves.is_polynomial(*waves.values()) and not of_waves.has(TIME))

@@ -12,6 +12,7 @@ from typing import Any
 
 import control
 import sympy
+from sympy import Expr
 
 from ...base.arguments import Count, Seed, public
 from ...base.errors import ClptError, DiagramError
@@ -47,7 +48,7 @@ def _of_fewest_values(case: SystemCandidate, proof: Answers, read: Reader) -> Re
     `case` has symbols for all parameters.  They may be so under conditions between them; else
     those that do not need their values are tried one by one.
     """
-    margins, of_margins, verdict = list[sympy.Expr](), case, proof.verdict
+    margins, of_margins, verdict = list[Expr](), case, proof.verdict
     while len(margins) < MOST_MARGINS and (more := next(margins_of(of_margins), None)):
         margins.append(more)
         reader = partial(read, margins=margins)
@@ -159,7 +160,7 @@ def _in_region(candidate: SystemCandidate, within: Any) -> Verdict:
 def _searched(
     system: control.NonlinearIOSystem,
     rest_state: Any,
-    judged: Callable[[sympy.Expr], Verdict],
+    judged: Callable[[Expr], Verdict],
 ) -> Verdict:
     """Return the verdict on the best of the functions that are searched for."""
     best = None
@@ -170,8 +171,8 @@ def _searched(
         if verdict.status == "proved" and not missed:
             return verdict
         if best is None and verdict.status == "proved":
-            names = (getattr(of, "parts", (of,)) for of in missed)
-            names = joined(", ", (of[0] for of in names))
+            parts = (getattr(of, "parts", (of,)) for of in missed)
+            names = joined(", ", (of[0] for of in parts))
             claim = said("V found, but it does not contain {}", names)
             best = replace(
                 verdict, status="open", claim=claim, conclusion="", conditions=()
@@ -185,8 +186,8 @@ def _searched(
 @public
 def lyapunov(
     system: control.NonlinearIOSystem,
-    V: str | Callable | sympy.Expr | None = None,
-    claim: str | Callable | sympy.Expr | float | None = None,
+    V: str | Callable | Expr | None = None,
+    claim: str | Callable | Expr | float | None = None,
     at: Mapping[str, float] | None = None,
     points: Count = 200,
     seed: Seed = 0,

@@ -12,7 +12,7 @@ from itertools import zip_longest
 from typing import Any
 
 import sympy
-from sympy import Expr
+from sympy import Dummy, Expr, Matrix, S, Symbol, Tuple, diff, expand, sin
 from sympy.utilities.iterables import strongly_connected_components
 
 from ...engine.diagram.symbol_names import TIME
@@ -24,8 +24,8 @@ from .conclusions import Condition
 from .statements import Statement, are, joined, said
 from .steps import How, Step, exact
 
-ANGLES = (sympy.sin, sympy.cos)
-CLOCK = sympy.Symbol("t", nonnegative=True)
+ANGLES = (sin, sympy.cos)
+CLOCK = Symbol("t", nonnegative=True)
 
 
 @dataclass
@@ -50,8 +50,8 @@ class Motion:
 
     def __post_init__(self) -> None:
         functions = {f for port in self.eq.inputs.values() for f in port.flat}
-        self.inputs = {f: sympy.Dummy(str(f.func), real=True) for f in functions}
-        rates = {f.diff(TIME): sympy.Dummy(f"{f.func}'", real=True) for f in functions}
+        self.inputs = {f: Dummy(str(f.func), real=True) for f in functions}
+        rates = {f.diff(TIME): Dummy(f"{f.func}'", real=True) for f in functions}
         self.input_rates = set(rates.values())
         self.still = {**rates, **self.inputs}
         self.rates = {s: self.quiet(rate) for s, rate in self.rates.items()}
@@ -69,9 +69,9 @@ class Motion:
 
     def rate_of(self, form: Expr) -> Expr:
         """Return the rate of a form of states, inputs and time, expanded."""
-        along_time = {TIME: sympy.S.One, **self.rates}
+        along_time = {TIME: S.One, **self.rates}
         along_time |= {s: self.still[f.diff(TIME)] for f, s in self.inputs.items()}
-        return sympy.expand(along(self.quiet(form), along_time))
+        return expand(along(self.quiet(form), along_time))
 
     # --- states that V does not contain ------------------------------------------------------
 
@@ -92,7 +92,7 @@ class Motion:
             if s in outside and after != s
         }
         # nothing is known of an opaque source, not even that it has a value at all times
-        sources = inputs_in(sympy.Tuple(*rates.values()))
+        sources = inputs_in(Tuple(*rates.values()))
         how: How = "sampled" if sources else "exact"
         condition = said(", if {} bounded", self._names_of(sources)) if sources else ""
         stable = list[Any]()
@@ -105,7 +105,7 @@ class Motion:
                 stable += states
                 self.driving |= self.inputs_of(own_rates)
                 self.free = [s for s in self.free if s not in states]
-                self._note({s: sympy.Dummy(str(s), real=True) for s in states})
+                self._note({s: Dummy(str(s), real=True) for s in states})
         if stable:
             names = are(_names(self.eq, stable))
             self.conditions.append(Condition("outside V, bounded", names))
@@ -113,7 +113,7 @@ class Motion:
         # a rate as it is or expanded, which hides roots
         unbounded = [s for s in self.free if s not in self.exist]
         their_rates = [rates[s].xreplace(self.bounded) for s in unbounded]
-        written: list[tuple] = [(rate, sympy.expand(rate)) for rate in their_rates]
+        written: list[tuple] = [(rate, expand(rate)) for rate in their_rates]
         written += [(jumps[s],) for s in unbounded if s in jumps]
         exist = self.eq.discrete or all(
             min(degree(f, unbounded.__contains__) for f in forms_of_rate) <= 1
@@ -121,7 +121,7 @@ class Motion:
         )
         if self.free:
             free = _names(self.eq, self.free)
-            listed = joined(", ", map(sympy.Symbol, free))
+            listed = joined(", ", map(Symbol, free))
             name, of = ("outside V", are(free)) if exist else ("existence", listed)
             self.conditions.append(Condition(name, of))
             grow = ", may grow, and" if exist else ","
@@ -139,7 +139,7 @@ class Motion:
 
     def inputs_of(self, rates: Iterable[Expr]) -> set:
         """Return the inputs, and opaque sources, that rates depend on."""
-        total = sympy.Tuple(*rates)
+        total = Tuple(*rates)
         used = {f for f, s in self.inputs.items() if total.has(s)}
         return used | inputs_in(total)
 
@@ -156,9 +156,9 @@ class Motion:
 
         The rate of a single state may be a polynomial, with an odd power that leads: -s^3 + s.
         """
-        expanded = sympy.Matrix([sympy.expand(rate) for rate in rates])
+        expanded = Matrix([expand(rate) for rate in rates])
         J = expanded.jacobian(states)
-        remainder = expanded - J * sympy.Matrix(states)
+        remainder = expanded - J * Matrix(states)
         powers = None if states[1:] else expanded[0].as_poly(*states)
         if powers and powers.degree() % 2 and not self.eq.discrete:
             leading, *others = powers.all_coeffs()
@@ -181,7 +181,7 @@ class Motion:
         return sorted(str(s).removeprefix("_") for s in loose)
 
 
-def _bounded_forms(forms: list, motion: dict, fixed: set) -> list[sympy.Expr]:
+def _bounded_forms(forms: list, motion: dict, fixed: set) -> list[Expr]:
     """Return forms that are bounded, of those that V contains, and the forms in them.
 
     A sine of half an angle bounds the angle up to whole turns, which is all that counts where
@@ -191,18 +191,18 @@ def _bounded_forms(forms: list, motion: dict, fixed: set) -> list[sympy.Expr]:
     turns = {call for e in expressions for call in e.atoms(*ANGLES)}
     # functions of angles that whole turns leave as they are, as th**2 is none
     periodic = {
-        call: sympy.Dummy()
+        call: Dummy()
         for call in turns
-        if not any(sympy.diff(call.args[0], s).free_symbols - fixed for s in motion)
+        if not any(diff(call.args[0], s).free_symbols - fixed for s in motion)
     }
     without_angles = [e.xreplace(periodic) for e in expressions]
     bounded = []
     for form in forms:
         inner = form.as_coeff_Mul()[1]
-        if isinstance(inner, sympy.sin):
+        if isinstance(inner, sin):
             states = inner.free_symbols - fixed
             is_read = any(e.has(*states) for e in without_angles)
-            form = sympy.S.Zero if is_read else inner.args[0]
+            form = S.Zero if is_read else inner.args[0]
         if degree(form, lambda s: s == TIME) == 0:
             bounded.append(form)
     sums = filter(None, (squares(form, fixed) for form in bounded))
@@ -211,7 +211,7 @@ def _bounded_forms(forms: list, motion: dict, fixed: set) -> list[sympy.Expr]:
 
 def _bounded_states(
     forms: list, motion: dict, fixed: set
-) -> tuple[dict[Any, sympy.Expr], list]:
+) -> tuple[dict[Any, Expr], list]:
     """Return states as what bounds them, in the free states, and the free states.
 
     A form in one state bounds it; where each form has several states, the state that moves most
@@ -235,22 +235,20 @@ def _simplest(remaining: list, free: list, motion: dict, fixed: set) -> Any:
     is_state = {*remaining, *free}.__contains__
 
     def order(s: Any) -> tuple:
-        varies = bool(sympy.diff(motion[s], s).free_symbols - fixed)
+        varies = bool(diff(motion[s], s).free_symbols - fixed)
         return varies, degree(motion[s], is_state)
 
     return min(remaining, key=order)
 
 
-def _state_of(
-    form: sympy.Expr, remaining: list, fixed: set
-) -> dict[Any, sympy.Expr] | None:
+def _state_of(form: Expr, remaining: list, fixed: set) -> dict[Any, Expr] | None:
     """Return the single state of a form, if it has one, in terms of bounded symbols."""
     states = [s for s in remaining if form.has(s)]
     if len(states) != 1:
         return None
-    (s,), bound = states, sympy.Dummy("bound", real=True)
+    (s,), bound = states, Dummy("bound", real=True)
     if not form.is_polynomial(s):  # s and what is bounded whatever s is
-        shift = sympy.expand(form - s)
+        shift = expand(form - s)
         return {s: bound} if degree(shift, lambda a: a == s) == 0 else None
     leading, *coefficients = sympy.Poly(form, s).all_coeffs()
     if not leading.is_nonzero or leading.free_symbols - fixed:
@@ -259,7 +257,7 @@ def _state_of(
         return {s: (bound - coefficients[0]) / leading}
     # of higher degree it bounds s where nothing else in it moves freely
     moving = form.free_symbols - fixed - {s}
-    return {s: bound} if all(isinstance(o, sympy.Dummy) for o in moving) else None
+    return {s: bound} if all(isinstance(o, Dummy) for o in moving) else None
 
 
 def _names(eq: Equations, free: list) -> list[str]:
@@ -279,7 +277,7 @@ def groups_of_drivers(rates: Mapping[Any, Expr]) -> list[list]:
     return strongly_connected_components(([*rates], drivers))
 
 
-def is_stable(A: sympy.Matrix, discrete: bool) -> bool:
+def is_stable(A: Matrix, discrete: bool) -> bool:
     """Return whether a linear motion goes to zero; in discrete time by (A - I)/(A + I)."""
     if not discrete:
         return hurwitz(A)
@@ -287,7 +285,7 @@ def is_stable(A: sympy.Matrix, discrete: bool) -> bool:
     return (A + identity).det() != 0 and hurwitz((A - identity) * (A + identity).inv())
 
 
-def hurwitz(A: sympy.Matrix) -> bool:
+def hurwitz(A: Matrix) -> bool:
     """Return whether all eigenvalues have a negative real part, by Routh's table, exactly."""
     row, next_row = (A.charpoly().all_coeffs()[k::2] for k in (0, 1))
     while next_row and next_row[0].is_positive:

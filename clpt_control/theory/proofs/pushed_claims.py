@@ -8,8 +8,7 @@ states move by themselves: then V' <= c (1 + V).
 
 from typing import Any
 
-import sympy
-from sympy import Expr, Poly, S, expand
+from sympy import Expr, Poly, S, Tuple, diff, expand
 
 from ..algebra.slopes import degree
 from .answers import Definite, Fall
@@ -24,7 +23,7 @@ def mean_of(case: Any, definite: Definite) -> Fall | None:
     """
     states, forms = case.errors
     claim = expand((case.claim or S.Zero).xreplace(states))
-    errors = [e for e in (*forms, *case.motion) if sympy.diff(claim, e, 2) != 0]
+    errors = [e for e in (*forms, *case.motion) if diff(claim, e, 2) != 0]
     if not (errors and claim.is_polynomial(*errors)):
         return None
     of_e, lost, push = Poly(claim, *errors), S.Zero, S.Zero
@@ -44,12 +43,12 @@ def mean_of(case: Any, definite: Definite) -> Fall | None:
 def _may_escape(case: Any, definite: Definite, push: Expr) -> bool:
     """Return whether V may grow faster than c (1 + V)."""
     V, forms = case.V, definite.forms
-    slopes = sympy.Tuple(*(sympy.diff(f, s) for f in forms for s in case.motion))
+    slopes = Tuple(*(diff(f, s) for f in forms for s in case.motion))
     if not V.is_polynomial(*case.motion) or slopes.free_symbols - case.fixed:
         return True
     in_V = {s for s in case.motion if any(form.has(s) for form in forms)}
     own = {*case.errors[1], *in_V.intersection(forms)}
     others = push.free_symbols & case.motion.keys() - own
-    outside = sympy.Tuple(*(r for s, r in case.motion.items() if s not in in_V))
+    outside = Tuple(*(r for s, r in case.motion.items() if s not in in_V))
     is_driven = outside.has(*in_V) or not in_V.isdisjoint(others)
     return degree(push, own.__contains__) > 2 or (bool(others) and is_driven)

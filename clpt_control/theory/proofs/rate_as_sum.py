@@ -17,7 +17,23 @@ from itertools import product
 from typing import Any, NamedTuple
 
 import sympy
-from sympy import Add, Expr, Mul, S
+from sympy import (
+    Abs,
+    Add,
+    Dummy,
+    Expr,
+    Mul,
+    Rational,
+    S,
+    Symbol,
+    Tuple,
+    cos,
+    cosh,
+    exp,
+    expand,
+    log,
+    sin,
+)
 from sympy.core.function import AppliedUndef
 
 from ...engine.diagram.symbol_names import TIME
@@ -38,10 +54,10 @@ class NotASum(Exception):
     """V' is not written as a sum; the message is the reason."""
 
 
-FORM = sympy.Symbol("s", real=True)
+FORM = Symbol("s", real=True)
 # positive but at 0 (1 - cos at whole turns too), with their texts in Coq
 SHAPES: dict[Expr, str] = {
-    sympy.sympify(text, {"s": FORM, "Rabs": sympy.Abs}): text
+    sympy.sympify(text, {"s": FORM, "Rabs": Abs}): text
     for text in (
         "(1 - cos(s))",
         "(s * tanh(s))",
@@ -84,7 +100,7 @@ class Term(NamedTuple):
     @property
     def is_periodic(self) -> bool:
         """True of 1 - cos(s), which bounds no form."""
-        return self.shape.has(sympy.cos)
+        return self.shape.has(cos)
 
     @property
     def function(self) -> str:
@@ -122,14 +138,12 @@ class Case:
 
 
 RISING = (sympy.tanh, sympy.sinh, sympy.atan)  # odd functions
-SMOOTH = (sympy.exp, sympy.log, sympy.sin, sympy.cos, sympy.cosh, sympy.Abs, *RISING)
-LEAST_DIVISOR = sympy.Rational(1, 100)  # that the tactic `bnd` tries
-WAVES = (sympy.sin, sympy.cos, sympy.log, *RISING)  # of numbers: not computed in Coq
-PARTS = tuple(
-    sympy.Rational(n, 20) for n in (20, 19, 16, 10)
-)  # of a level, tried in turn
+SMOOTH = (exp, log, sin, cos, cosh, Abs, *RISING)
+LEAST_DIVISOR = Rational(1, 100)  # that the tactic `bnd` tries
+WAVES = (sin, cos, log, *RISING)  # of numbers: not computed in Coq
+PARTS = tuple(Rational(n, 20) for n in (20, 19, 16, 10))  # of a level, tried in turn
 WEIGHTS = (S.Zero, S.Half, S.One, S(2))  # of what is left to the level, times squares
-LEAST = sympy.Rational(1, 1000)  # of the squares of states, which V' loses
+LEAST = Rational(1, 1000)  # of the squares of states, which V' loses
 MOST_TERMS = 200  # of V, of V' and of rates
 Ways = list[Callable[[], Case]]
 
@@ -145,7 +159,7 @@ def terms_of(expression: Expr, fixed: set) -> list[Term]:
     if total is not None and total.constant.is_nonnegative:
         summands = [*total.terms, total.constant]
     else:
-        summands = [*Add.make_args(sympy.expand(expression))]
+        summands = [*Add.make_args(expand(expression))]
         if not all(map(is_nonnegative, summands)):
             summands = [factored(expression)]
         if not is_nonnegative(summands[0]):
@@ -157,9 +171,9 @@ def terms_of(expression: Expr, fixed: set) -> list[Term]:
 def by_facts(expression: Expr) -> list[Term]:
     """Return an expression as squares times what is known of its functions."""
     calls = sorted(functions_in(expression), key=str)
-    names = {call: sympy.Dummy("call", real=True) for call in calls}
+    names = {call: Dummy("call", real=True) for call in calls}
     facts = [fact.xreplace(names) for fact in facts_of(calls)]
-    found = sum_of_squares(sympy.expand(expression.xreplace(names)), facts)
+    found = sum_of_squares(expand(expression.xreplace(names)), facts)
     if found is None:
         raise NotASum(f"{short(expression)} is not known as a sum of squares")
     back = {name: call for call, name in names.items()}
@@ -197,12 +211,12 @@ def term_of(summand: Expr, fixed: set) -> Term:
     common = sympy.factor_terms(summand)  # a (1 - cos(s)) of a - a cos(s)
     weight, varying = common.as_independent(*moving, as_Add=False)
     if weight.is_negative:
-        weight, varying = -weight, sympy.expand(-varying)
+        weight, varying = -weight, expand(-varying)
     calls = varying.atoms(sympy.Function)
     arguments = {a for call in calls for a in call.args} | moving
     for shape in SHAPES:
         for form in sorted(arguments, key=str):
-            if sympy.expand(varying - shape.subs(FORM, form)) == 0:
+            if expand(varying - shape.subs(FORM, form)) == 0:
                 return Term(weight, form, shape)
     base, power = varying.as_base_exp()
     if power.is_Integer and power.is_positive and power.is_even and weight.is_positive:
@@ -225,14 +239,14 @@ def term_of(summand: Expr, fixed: set) -> Term:
 
 def pulled(case: Case, V: Expr, rate: Expr, rest: Mapping, forms: Mapping) -> Case:
     """Complete the squares of V' in the errors of V, whose squares V is a sum of; as `forms`."""
-    V_rate = sympy.expand(rate.xreplace({s: s + true for s, true in rest.items()}))
+    V_rate = expand(rate.xreplace({s: s + true for s, true in rest.items()}))
     shares = {s: sympy.diff(V, s, 2) / 2 for s in rest}
     pairs = {s: (-V_rate.coeff(s, 2), V_rate.coeff(s, 1)) for s in rest}
     rates = {s: a / (2 * shares[s]) for s, (a, _) in pairs.items() if a.is_positive}
     if not rates or len(rates) < len(rest):
         raise NotASum("V' does not pull all errors of V back")
     is_number = all(r.is_Rational for r in rates.values())
-    decay = min(rates.values()) if is_number else sympy.Dummy("rate", positive=True)
+    decay = min(rates.values()) if is_number else Dummy("rate", positive=True)
     push = V_rate.xreplace(dict.fromkeys(rest, S.Zero))
     losses = []
     for s, (a, b) in pairs.items():
@@ -258,7 +272,7 @@ def of_system(case: Any, definite: Definite, fall: Fall) -> Ways:
             with_tanh(read(case.rate)),
             [*map(read, fall.losses)],
         )
-        moves = sympy.Tuple(*(definite.least or {}).values()).has(TIME)
+        moves = Tuple(*(definite.least or {}).values()).has(TIME)
         terms = terms_of(V, case.fixed)
         box = {read(d): case.where.box[d] for d in case.where.bounded}
         written = Case(motion, case.fixed, V, rate, terms, lost=lost, box=box)
@@ -305,15 +319,15 @@ def in_region(region: Any, case: Any, level: float) -> Ways:
         if region.V_at_rest != 0 or region.held:
             raise NotASum("V is not zero at the rest, or inputs are between bounds")
         motion = dict(zip(region.states, region.motion, strict=True))
-        V, rate = sympy.expand(region.V), sympy.expand(along(region.V, motion))
+        V, rate = expand(region.V), expand(along(region.V, motion))
         offs = [s - region.rest[s] for s in region.states]
         for part, weight in product(PARTS, WEIGHTS):
-            top = part * sympy.Rational(f"{level:.4g}")
-            room = sympy.expand(top - V)
+            top = part * Rational(f"{level:.4g}")
+            room = expand(top - V)
             losses = [Term(LEAST, off) for off in offs]
             losses += [Term(weight, off, factor=room) for off in offs if weight]
             known = Add(*(term.value for term in losses))
-            found = sum_of_squares(sympy.expand(-rate - known), [room])
+            found = sum_of_squares(expand(-rate - known), [room])
             if found is not None:
                 losses += [Term(w, form, factor=g) for w, g, form in found.terms]
                 written = Case(motion, set(), V, rate, terms_of(V, set()), losses)
@@ -329,7 +343,7 @@ def checked(way: Callable[[], Case]) -> Case:
     for term in (*case.terms, *case.losses):
         if term.weight.has(*WAVES):
             raise NotASum(f"the sign of {term.weight} is not known to Coq")
-    if any(t.value.has(sympy.Abs) and t.shape not in SHAPES for t in case.terms):
+    if any(t.value.has(Abs) and t.shape not in SHAPES for t in case.terms):
         raise NotASum(f"{short(case.V)} has |.|, whose rate is not printed")
     total = Add(*(term.value for term in case.losses), case.decay * case.V, case.rate)
     if not vanishes(total - case.push):
@@ -342,7 +356,7 @@ def checked(way: Callable[[], Case]) -> Case:
 
 def refuse(case: Any) -> None:
     """Refuse what has no file: states that jump, sampled parts, guards, discrete time, sets."""
-    written = sympy.Tuple(case.V, case.rate, *case.motion.values())
+    written = Tuple(case.V, case.rate, *case.motion.values())
     for call in sorted(functions_in(written), key=str):
         if not isinstance(call, SMOOTH) and call.args != (TIME,):
             raise NotASum(f"{short(call)} has pieces, or no lemma in Runs.v")
@@ -364,7 +378,7 @@ def refuse(case: Any) -> None:
 def without_calls(e: Expr) -> Expr:
     """Return an expression with functions of time as symbols."""
     symbols = {
-        f: sympy.Symbol(f"{f.func}", real=True, positive=f.is_positive)
+        f: Symbol(f"{f.func}", real=True, positive=f.is_positive)
         for f in e.atoms(AppliedUndef)
     }
     return e.xreplace(symbols)
@@ -383,7 +397,7 @@ def is_above_zero(base: Expr, fixed: set) -> bool:
         return bool(base.is_nonzero) and not base.has(*WAVES)
     if base.is_Pow and base.base != sympy.E:
         return is_above_zero(base.base, fixed)
-    if isinstance(base, (sympy.exp, sympy.cosh)) or least(base) >= LEAST_DIVISOR:
+    if isinstance(base, (exp, cosh)) or least(base) >= LEAST_DIVISOR:
         return True
     constant, rest = base.as_independent(*(base.free_symbols - fixed), as_Add=True)
     has_signs = all(term.is_nonnegative for term in Add.make_args(rest))

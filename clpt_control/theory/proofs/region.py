@@ -30,6 +30,7 @@ from typing import Any
 
 import numpy as np
 import sympy
+from sympy import Expr, S, sin
 
 from ...base.arguments import check_holds, check_known, numbers
 from ...base.errors import DiagramError
@@ -58,12 +59,12 @@ STEPS = {name: ON_NUMBERS[name] for name in EXACT} | {
 
 
 @np.errstate(all="ignore")
-def enclosed(expression: sympy.Expr, boxes: dict[Any, Interval]) -> Interval:
+def enclosed(expression: Expr, boxes: dict[Any, Interval]) -> Interval:
     """Return between which numbers an expression lies in each box."""
     return _enclosed(expression, dict(boxes))
 
 
-def _enclosed(e: sympy.Expr, ranges: dict[Any, Interval]) -> Interval:
+def _enclosed(e: Expr, ranges: dict[Any, Interval]) -> Interval:
     if e not in ranges:
         low, high = _operation(e, ranges)
         lost = np.isnan(low) | np.isnan(high)
@@ -71,7 +72,7 @@ def _enclosed(e: sympy.Expr, ranges: dict[Any, Interval]) -> Interval:
     return ranges[e]
 
 
-def _operation(e: sympy.Expr, ranges: dict[Any, Interval]) -> Interval:
+def _operation(e: Expr, ranges: dict[Any, Interval]) -> Interval:
     if e.is_number:
         value = np.array([float(e)])
         return (
@@ -91,7 +92,7 @@ def _operation(e: sympy.Expr, ranges: dict[Any, Interval]) -> Interval:
     if isinstance(e, sympy.cosh):
         low, high = _size(*of[0])
         return _outward(np.cosh(low), np.cosh(high))
-    if isinstance(e, sympy.sin | sympy.cos):
+    if isinstance(e, sin | sympy.cos):
         return _sine(e.func, *of[0])
     if name == "Abs":
         return _size(*of[0])
@@ -157,7 +158,7 @@ def _power(low: np.ndarray, high: np.ndarray, exponent: Any) -> Interval:
 
 def _sine(function: Any, low: np.ndarray, high: np.ndarray) -> Interval:
     """Return the range of a sine or cosine, whose tops are a turn apart."""
-    top, of = (0.25, np.sin) if function is sympy.sin else (0.0, np.cos)
+    top, of = (0.25, np.sin) if function is sin else (0.0, np.cos)
     turns = low / (2 * np.pi) - top - TURN, high / (2 * np.pi) - top + TURN
     ends = of(low), of(high)
     bottom, peak = _outward(np.minimum(*ends), np.maximum(*ends))
@@ -190,8 +191,8 @@ class Region:
         self.states, self.discrete = case.states, case.eq.discrete
         self.rest = case.origin
         self.low, self.high = _box(self.rest, within)
-        zero = dict.fromkeys(case.inputs, sympy.S.Zero)
-        zero |= {sympy.Derivative(f, TIME): sympy.S.Zero for f in zero}
+        zero = dict.fromkeys(case.inputs, S.Zero)
+        zero |= {sympy.Derivative(f, TIME): S.Zero for f in zero}
         symbols = {d: sympy.Dummy(f"{d.func}", real=True) for d in case.where.box}
         zero |= symbols | case.where.values
         # inputs between bounds, which may have any values there
@@ -222,7 +223,7 @@ class Region:
             e: self.slopes_of(e) for e in (self.V, self.rate) if is_continuous(e)
         }
 
-    def slopes_of(self, e: sympy.Expr) -> list[sympy.Expr]:
+    def slopes_of(self, e: Expr) -> list[Expr]:
         """Return the derivatives of an expression by each state; at a kink, of one side."""
         return [slope_in(e, s) for s in self.states]
 
@@ -232,7 +233,7 @@ class Region:
         return self.held | dict(of_states)
 
     @np.errstate(all="ignore")  # inf - inf
-    def range(self, e: sympy.Expr, low: np.ndarray, high: np.ndarray) -> Interval:
+    def range(self, e: Expr, low: np.ndarray, high: np.ndarray) -> Interval:
         """Return the range of V or V' as it stands, or of e(m) + slopes (x - m), if narrower."""
         boxes, middle = self.boxes(low, high), 0.5 * low + 0.5 * high
         least, most = enclosed(e, boxes)
@@ -261,7 +262,7 @@ class Region:
             )
             boxes, share = self.boxes(low[None], high[None]), share / 2
 
-            def is_above(margin: sympy.Expr, boxes: Any = boxes) -> bool:
+            def is_above(margin: Expr, boxes: Any = boxes) -> bool:
                 return bool((enclosed(margin, boxes)[0] > 0.0).all())
 
             rate, *motion = (

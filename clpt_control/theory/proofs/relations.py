@@ -15,7 +15,7 @@ from itertools import chain, product
 from typing import Any
 
 import sympy
-from sympy import Add, Expr, S
+from sympy import Add, Dummy, Expr, S, expand, sympify
 from sympy.core.function import AppliedUndef
 from sympy.utilities.iterables import connected_components
 
@@ -59,7 +59,7 @@ def one_way(candidate: Any) -> dict[Any, Any]:
         slope = slope_in(candidate.V, s)
         falls = map(candidate.never_positive, (candidate.motion[s], slope, *jumps))
         if slope != 0 and all(falls):
-            at_start[s] = sympy.Dummy(f"{s}(0)", positive=True)
+            at_start[s] = Dummy(f"{s}(0)", positive=True)
     return at_start
 
 
@@ -74,7 +74,7 @@ class Relations:
         self,
         eq: Equations,
         motion: Mapping[Any, Expr],
-        masked: Callable[[Expr], Expr] = sympy.sympify,
+        masked: Callable[[Expr], Expr] = sympify,
     ):
         self.eq, self.motion, self.masked = eq, motion, masked
         self.solved = dict[Any, Expr]()  # state -> its value, in states that are left
@@ -82,20 +82,18 @@ class Relations:
 
     def add(self, relation: Expr, states: Iterable[Any] = ()) -> None:
         """Solve a relation for one of some states, or for any, and keep it."""
-        h = sympy.expand(relation.xreplace(self.solved))
+        h = expand(relation.xreplace(self.solved))
         if h == 0:  # it follows from the others
             return
         of_states = () if h.has(TIME, AppliedUndef) else reversed(self.motion)
         for s in states or of_states:
             slope = sympy.diff(h, s)
             if slope.is_nonzero and not slope.has(*self.motion):
-                value = sympy.expand(s - h / slope)
+                value = expand(s - h / slope)
                 before = self.solved.items()
-                self.solved = {
-                    o: sympy.expand(v.xreplace({s: value})) for o, v in before
-                }
+                self.solved = {o: expand(v.xreplace({s: value})) for o, v in before}
                 self.solved[s] = value
-                self.distances[s] = sympy.Dummy(f"({s - value})", real=True)
+                self.distances[s] = Dummy(f"({s - value})", real=True)
                 return
         raise DiagramError(
             f"{self.eq.name}: the relation {short(h, 60)} = 0 cannot be solved for one state. "
@@ -112,7 +110,7 @@ class Relations:
 
     def of(self, expression: Any) -> Expr:
         """Return an expression where the relations hold."""
-        return decided(self.masked(sympy.sympify(expression)).xreplace(self.solved))
+        return decided(self.masked(sympify(expression)).xreplace(self.solved))
 
     def beside(self, expression: Expr) -> Expr:
         """Return an expression at distances from the relations."""
@@ -121,7 +119,7 @@ class Relations:
 
     def moved(self, changes: Iterable[Expr]) -> dict[Any, Expr]:
         """Return distances -> their rates, or what they are after a change."""
-        changed = map(sympy.expand, map(self.beside, changes))
+        changed = map(expand, map(self.beside, changes))
         return dict(zip(self.distances.values(), changed, strict=True))
 
     @property
@@ -145,7 +143,7 @@ class Relations:
             for change in (rate, *map((s - value).xreplace, self.eq.jumps_at_once())):
                 remainder = self.of(change)
                 if not vanishes(remainder):
-                    return said("{} leaves it by {}", s, sympy.expand(remainder))
+                    return said("{} leaves it by {}", s, expand(remainder))
         return ""
 
     def repels(
@@ -250,7 +248,7 @@ def errors_of(
     for form in forms:
         is_error = len(form.free_symbols & case.motion.keys()) >= least
         if is_error and form not in case.motion:
-            error = sympy.Dummy(f"{form}", real=True)
+            error = Dummy(f"{form}", real=True)
             with suppress(DiagramError):
                 in_errors.add(form - error, states)
                 errors[error] = form

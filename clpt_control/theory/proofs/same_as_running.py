@@ -13,10 +13,12 @@ from typing import Any
 
 import numpy as np
 import sympy
+from sympy import Expr
 
 from ...base.progress.interrupt import check
 from ..algebra.numeric_values import NumericValues
 from .point_search import PointSearch
+from .statements import said
 from .steps import Step, checked
 from .symbolic_loop import SymbolicLoop
 
@@ -97,7 +99,7 @@ def _name_of(search: PointSearch, row: int) -> str:
     return f"{block}.update: {search.states[k]}'"
 
 
-def size_of(e: sympy.Expr) -> sympy.Expr:
+def size_of(e: Expr) -> Expr:
     """Return the sum of the sizes of all terms of an expression, and of rounding errors."""
     if e.is_Add:
         return sympy.Add(LOST, *map(size_of, e.args))
@@ -132,9 +134,7 @@ def _digits_lost(values: np.ndarray, computed: np.ndarray) -> np.ndarray:
     return np.where(is_finite & np.isfinite(computed), digits, 0.0)
 
 
-def search_of(
-    loop: SymbolicLoop, rest: Mapping[Any, sympy.Expr], seed: int
-) -> PointSearch:
+def search_of(loop: SymbolicLoop, rest: Mapping[Any, Expr], seed: int) -> PointSearch:
     """Return the search in a closed loop with its V, about the rest of its states."""
     return PointSearch(loop.diagram, loop, loop.signals["V"][0], "V[0]", rest, seed)
 
@@ -156,5 +156,5 @@ def running_step(
         holds, detail = compare(search, search.wide(points), THROUGH_CONTROL)
         return holds, prefix + detail
 
-    claim = f"the running blocks give the same V'{suffix}"
+    claim = said("the running blocks give the same V'{}", suffix)
     return checked(claim, comparison, "sampled", False, "running")

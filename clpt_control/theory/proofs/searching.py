@@ -21,6 +21,7 @@ import numpy as np
 import scipy.optimize
 import scipy.sparse
 import sympy
+from sympy import Add, Expr, Matrix, Poly, S, Tuple, expand
 
 from ...base.errors import DiagramError
 from ...engine.diagram.symbol_names import TIME
@@ -36,21 +37,21 @@ MOST = 16  # states
 SHARE = 10**4  # the largest denominator of a coefficient
 HELD = 100.0  # what a held state weighs beside a coefficient
 
-Rates = dict[sympy.Symbol, sympy.Expr]
+Rates = dict[sympy.Symbol, Expr]
 Monomial = tuple[int, ...]
 
 
-def candidates(case: SystemCandidate) -> Iterator[sympy.Expr]:
+def candidates(case: SystemCandidate) -> Iterator[Expr]:
     """Yield functions that may be a V of a diagram about its rest, the plainest first.
 
     First for any inputs, then for inputs of 0.
     """
     rest_state = case.origin
-    zero, discrete = dict.fromkeys(case.inputs, sympy.S.Zero), case.eq.discrete
+    zero, discrete = dict.fromkeys(case.inputs, S.Zero), case.eq.discrete
     rates = {}
     for s, rate in case.eq.motion.items():
         number = rate.xreplace(case.eq.values)
-        kept, mark = (rest_state[s], "+") if discrete else (sympy.S.Zero, "'")
+        kept, mark = (rest_state[s], "+") if discrete else (S.Zero, "'")
         value = number.xreplace(rest_state).xreplace(zero)
         if value.is_number and not vanishes(value - kept):
             text = f"= {short(value)}" if value.is_finite else "has no value"
@@ -58,7 +59,7 @@ def candidates(case: SystemCandidate) -> Iterator[sympy.Expr]:
             where = of_user if case.rest else "the rest: give it (at=)"
             raise DiagramError(f"{case.system.name}: {s}{mark} {text} at {where}")
         shifted = number.xreplace({q: q + rest_state[q] for q in rest_state})
-        rates[s] = sympy.expand(shifted - kept)
+        rates[s] = expand(shifted - kept)
     if len(rates) > MOST:
         raise DiagramError(
             f"{case.system.name}: has {len(rates)} states; a V is searched for of at most {MOST}: "
@@ -72,31 +73,31 @@ def candidates(case: SystemCandidate) -> Iterator[sympy.Expr]:
         yield V.xreplace({s: s - rest_state[s] for s in rest_state})
 
 
-def _of_linear_part(rates: Rates, discrete: bool) -> Iterator[sympy.Expr]:
+def _of_linear_part(rates: Rates, discrete: bool) -> Iterator[Expr]:
     """Yield z^T P z with A^T P + P A = -I, or A^T P A - P = -I, of a stable linear part."""
     states = list(rates)
-    zero = dict.fromkeys(states, sympy.S.Zero)
-    A = sympy.Matrix([[slope_in(rate, s) for s in states] for rate in rates.values()])
+    zero = dict.fromkeys(states, S.Zero)
+    A = Matrix([[slope_in(rate, s) for s in states] for rate in rates.values()])
     A = A.xreplace(zero).applyfunc(decided)
     if not all(entry.is_Rational for entry in A):
         return
     if is_stable(A, discrete):
-        n, z = len(states), sympy.Matrix(states)
-        P = sympy.Matrix(n, n, sympy.symbols(f"p_:{n * n}"))
+        n, z = len(states), Matrix(states)
+        P = Matrix(n, n, sympy.symbols(f"p_:{n * n}"))
         change = A.T * P * A - P if discrete else A.T * P + P * A
         (solution,) = sympy.linsolve([*change + sympy.eye(n)], *P)
-        yield sympy.expand(z.dot(sympy.Matrix(n, n, solution) * z))
+        yield expand(z.dot(Matrix(n, n, solution) * z))
 
 
-def _terms(rates: Rates, discrete: bool) -> dict[sympy.Expr, tuple]:
+def _terms(rates: Rates, discrete: bool) -> dict[Expr, tuple]:
     """Return what V may be made of: term -> its two states, or the one of an integral."""
     states = list(rates)
-    terms: dict[sympy.Expr, tuple] = {
+    terms: dict[Expr, tuple] = {
         a * b: (a, b) for a, b in combinations_with_replacement(states, 2)
     }
-    functions = sympy.Tuple(*rates.values()).atoms(sympy.sin, *ODD, sympy.Pow)
+    functions = Tuple(*rates.values()).atoms(sympy.sin, *ODD, sympy.Pow)
     for h in [] if discrete else sorted(functions, key=str):
-        inner, power = (h.base, h.exp) if h.is_Pow else (h.args[0], sympy.S.One)
+        inner, power = (h.base, h.exp) if h.is_Pow else (h.args[0], S.One)
         for state in (state for state in states if inner.has(state)):
             odd = power.is_Integer and power > 0 and power % 2
             if odd and (inner / state).is_Rational and h != state:
@@ -125,7 +126,7 @@ def _roots(monomials: dict, gens: list) -> dict[Monomial, Monomial | None]:
     return roots
 
 
-def _of_program(rates: Rates, discrete: bool) -> Iterator[sympy.Expr]:
+def _of_program(rates: Rates, discrete: bool) -> Iterator[Expr]:
     """Yield the V of few terms that holds as many states as it can.
 
     Unknown are the coefficients c of V and the cross terms q of -V', each the difference of two
@@ -137,19 +138,18 @@ def _of_program(rates: Rates, discrete: bool) -> Iterator[sympy.Expr]:
         term.xreplace(rates) - term if discrete else along(term, rates)
         for term in terms
     ]
-    slopes = [*map(sympy.expand, changes)]
+    slopes = [*map(expand, changes)]
     exponentials = {  # exp(1e8 x) is no power of exp(x)
-        e: sympy.Dummy(str(e), positive=True)
-        for e in sympy.Tuple(*slopes).atoms(sympy.exp)
+        e: sympy.Dummy(str(e), positive=True) for e in Tuple(*slopes).atoms(sympy.exp)
     }
     slopes = [item.xreplace(exponentials) for item in slopes]
     gens = sorted(
-        {*rates}.union(*(sympy.Poly(item).gens for item in slopes if item)), key=str
+        {*rates}.union(*(Poly(item).gens for item in slopes if item)), key=str
     )
     # -V', monomial by monomial: term -> its share
     falls = defaultdict[Monomial, dict](dict)
     for k, slope in enumerate(slopes):
-        for powers, share in sympy.Poly(slope, *gens).terms() if slope else ():
+        for powers, share in Poly(slope, *gens).terms() if slope else ():
             falls[powers][k] = -share
     if not all(share.is_Rational for row in falls.values() for share in row.values()):
         return
@@ -204,20 +204,18 @@ def _of_program(rates: Rates, discrete: bool) -> Iterator[sympy.Expr]:
             if item not in {*roots, *products}
         ]
         c = _rounded(solution.x[:n] - solution.x[total:][:n], exact)
-        yield sympy.Add(*(share * term for share, term in zip(c, terms, strict=True)))
+        yield Add(*(share * term for share, term in zip(c, terms, strict=True)))
 
 
-def _rounded(
-    values: np.ndarray, exact: list[dict[int, sympy.Expr]]
-) -> list[sympy.Expr]:
+def _rounded(values: np.ndarray, exact: list[dict[int, Expr]]) -> list[Expr]:
     """Return rational numbers beside these; each exact row times them is zero."""
     used = [k for k, value in enumerate(values) if abs(value) > 1e-9]
     rationals = [sympy.Rational(float(v)).limit_denominator(SHARE) for v in values]
     numbers = [row.get(k, 0) for row in exact for k in used]
-    reduced, pivots = sympy.Matrix(len(exact), len(used), numbers).rref()
+    reduced, pivots = Matrix(len(exact), len(used), numbers).rref()
     free = [j for j in range(len(used)) if j not in pivots]
     for row, pivot in enumerate(pivots):
-        rationals[used[pivot]] = -sympy.Add(
+        rationals[used[pivot]] = -Add(
             *(reduced[row, j] * rationals[used[j]] for j in free)
         )
     return rationals

@@ -8,6 +8,7 @@ from typing import Any
 import control
 import numpy as np
 import sympy
+from sympy import Expr
 from sympy.core.function import AppliedUndef
 
 from ...base.arguments import known
@@ -49,7 +50,7 @@ def signals_by_name(eq: Equations) -> dict[str, np.ndarray]:
 
 def function_of_signals(system: Any, V: Any) -> Any:
     """Return an expression in the symbols of `clpt.equations` as a function of signals."""
-    if not isinstance(V, sympy.Expr):
+    if not isinstance(V, Expr):
         return V
     signals = signals_by_name(on_symbols(system, with_samples=True))
     indices = {
@@ -71,7 +72,7 @@ def function_of_signals(system: Any, V: Any) -> Any:
 
 def expression_of(
     eq: Equations, source: Any, argument: str = "V"
-) -> tuple[sympy.Expr, list[str]]:
+) -> tuple[Expr, list[str]]:
     """Return a name, a function of signals or an expression as an expression.
 
     With it the sentences on where it may have no value.
@@ -93,14 +94,14 @@ def expression_of(
             f"{eq.name}: {argument} = '{source}': is no signal. {advice}"
         )
     value = sympy.sympify(eq[source] if isinstance(source, str) else source)
-    if not isinstance(value, sympy.Expr):
+    if not isinstance(value, Expr):
         raise DiagramError(f"{eq.name}: {source} is not a single number")
     return value, []
 
 
 def expressions_of(
     eq: Equations, source: Callable[[Any], Any]
-) -> list[tuple[sympy.Expr, list[str]]]:
+) -> list[tuple[Expr, list[str]]]:
     """Return a function of signals that returns a list as expressions, as `expression_of`."""
     sizes = [1]
 
@@ -122,9 +123,7 @@ def expressions_of(
     return [first, *(expression_of(eq, element(k)) for k in range(1, sizes[-1]))]
 
 
-def _traced(
-    eq: Equations, source: Callable[[Any], Any]
-) -> tuple[sympy.Expr, list[str]]:
+def _traced(eq: Equations, source: Callable[[Any], Any]) -> tuple[Expr, list[str]]:
     """Return a function of signals as an expression, and where it may have no value."""
     signals, undefined = signals_by_name(eq), list[str]()
     shapes = []  # of V

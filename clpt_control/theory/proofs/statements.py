@@ -1,9 +1,10 @@
 """Sentences that hold their expressions.
 
-    said("{} goes to zero, as rates of {} do", x, v)
+    said("{} goes to zero, as rates of {} do", x, v)        said("`e^T KD e` goes to zero")
 
 A statement has three printers: its text is one line, in which long expressions and lists are cut;
 `whole` is the same without cuts, for the comments of Coq; `in_latex` sets it for a paper.
+Mathematics that is written by hand stands between backticks, which no text shows.
 """
 
 from collections.abc import Iterable, Sequence
@@ -17,13 +18,17 @@ from ..algebra.texts import short
 MOST_NAMES = 3  # in a line
 
 
+class Formula(str):
+    """Mathematics that is written by hand: e^T KD e."""
+
+
 class Statement(str):
     """A sentence of words and mathematics.
 
     Attributes
     ----------
     parts : tuple
-        Words as text, expressions, and lists of expressions as tuples.
+        Words, formulas, expressions, and lists of expressions as tuples.
     """
 
     parts: tuple[Any, ...]
@@ -50,9 +55,13 @@ def said(template: str, *values: Any, **named: Any) -> Statement:
     >>> _.whole
     "V' = -x**2 <= 0, so a, b, c, d go to zero"
     """
-    parts, unnamed = list[Any](), iter(values)
+    if isinstance(template, Statement):
+        return template
+    parts, unnamed, kinds = list[Any](), iter(values), [str, Formula]
     for words, name, *_ in Formatter().parse(template):
-        parts += [words] * bool(words)
+        for k, text in enumerate(words.split("`")):
+            kinds = kinds[::-1] if k else kinds
+            parts += [kinds[0](text)] * bool(text)
         if name is not None:
             value = named[name] if name else next(unnamed)
             parts += getattr(value, "parts", (value,))

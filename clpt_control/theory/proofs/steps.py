@@ -3,11 +3,12 @@
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import wraps
 from traceback import format_exception_only
 from typing import Any, Literal
 
 from ...base.errors import ClptError, DiagramError
-from ...engine.record.unread import Unread
+from ...engine.record.unread import Unread, line_of
 from .statements import said
 
 How = Literal["exact", "enclosed", "counterexample", "sampled", "cited"]
@@ -33,7 +34,7 @@ class Step:
 
 @contextmanager
 def worked_out(name: str) -> Iterator[None]:
-    """Raise a DiagramError with a sentence for any error of SymPy."""
+    """Raise a DiagramError that reports any other error as a fault of this package."""
     try:
         yield
     except ClptError:
@@ -44,7 +45,25 @@ def worked_out(name: str) -> Iterator[None]:
         text = "".join(format_exception_only(error))
         text = text.rpartition(f"{type(error).__module__}.")[2]
         cause = " ".join(text.split())  # in one line
-        raise DiagramError(f"{name}: V' cannot be computed: {cause}") from None
+        raise DiagramError(
+            f"{name}: a fault of clpt-control stopped the proof: {cause}. "
+            "Report the traceback, which the error has as its __cause__"
+        ) from error
+
+
+def of_user(name: str, function: Any) -> Any:
+    """Return a function of the user whose errors name their line in it."""
+
+    @wraps(function)
+    def call(*arguments: Any) -> Any:
+        try:
+            return function(*arguments)
+        except (ClptError, Unread):
+            raise
+        except Exception as error:
+            raise DiagramError(f"{name}: {line_of(function, error)}") from error
+
+    return call if callable(function) else function
 
 
 def checked(
@@ -96,12 +115,12 @@ def exact_step(
             result = check(case)
             if isinstance(result, str):
                 if result:
-                    return False, f"N = {case.N}: {result}"
+                    return False, said(f"N = {case.N}: {{}}", result)
             elif not result:
                 return False, ""
         return True, ""
 
-    return checked(claim, holds, every_N=False, shows=shows)
+    return checked(said(claim), holds, every_N=False, shows=shows)
 
 
 def first_failure(steps: Iterable[Step]) -> str:

@@ -15,6 +15,7 @@ from typing import Any, NamedTuple
 import control
 import numpy as np
 import sympy
+from sympy import Expr, sympify
 
 from ...base.errors import DiagramError
 from ...engine.diagram.merged_record import TapeRecord
@@ -47,12 +48,10 @@ class SymbolicLoop(Equations):
     def derivative(self, expression: Any) -> Any:
         """Differentiate expressions along the equations, functions with kinks as well."""
         rates = {TIME: sympy.S.One, **self.motion}
-        along_rates = np.vectorize(
-            lambda e: along(sympy.sympify(e), rates), otypes=[object]
-        )
+        along_rates = np.vectorize(lambda e: along(sympify(e), rates), otypes=[object])
         return along_rates(expression)[()]
 
-    def numbers_of(self, *blocks: str) -> dict[Any, sympy.Expr]:
+    def numbers_of(self, *blocks: str) -> dict[Any, Expr]:
         """Return the symbols of parameters that only these blocks have -> their numbers."""
         others = self.parameters.keys() - {*blocks}
         hidden = {s for name in others for s in flat(self.parameters[name])}
@@ -90,10 +89,10 @@ def flat(parameters: Any) -> list[Any]:
 
 def equated(
     ports: Mapping[str, np.ndarray], values: Mapping[str, Any]
-) -> dict[Any, sympy.Expr]:
+) -> dict[Any, Expr]:
     """Return symbols of ports -> their values, element by element."""
     return {
-        symbol: sympy.sympify(value)
+        symbol: sympify(value)
         for port in values
         for symbol, value in zip(ports[port].flat, np.ravel(values[port]), strict=True)
     }
@@ -121,7 +120,7 @@ def refuse_no_value(loop: SymbolicLoop, name: str) -> None:
 
 
 DEEPEST = 30  # levels of an expression
-Substitution = Callable[[sympy.Expr, Index], Any]
+Substitution = Callable[[Expr, Index], Any]
 
 
 class ArrayLoop:
@@ -272,7 +271,7 @@ def refuse_levels(loop: Equations) -> None:
         )
 
 
-def refuse_no_rates(eq: Equations, motion: Mapping[Any, sympy.Expr]) -> None:
+def refuse_no_rates(eq: Equations, motion: Mapping[Any, Expr]) -> None:
     """Reject equations without states, with states that jump at a level, or without a value."""
     refuse_levels(eq)
     if not motion:

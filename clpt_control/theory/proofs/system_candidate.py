@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 import sympy
+from sympy import Add, Dummy, Expr, S, Symbol, expand
 
 from ...base.errors import DiagramError
 from ...engine.diagram.symbol_names import TIME, Names, NamesWithNumbers, element_name
@@ -40,7 +41,7 @@ from ..algebra.exact import (
 from ..algebra.facts import SIGN, has_time, is_continuous
 from ..algebra.slopes import along, meets_smoothly, slope_in
 from ..algebra.sums_of_squares import squares
-from ..algebra.texts import outward
+from ..algebra.texts import double, outward
 from .answers import Definite, Fall, Refutation
 from .between import as_relation, assume
 from .conclusions import Condition, Status
@@ -83,7 +84,7 @@ class SystemCandidate(LyapunovCandidate):
         where: Mapping[str, Sequence[float | None]] = NOTHING,
         unsigned: Set[str] = frozenset(),
         symbols: Set[str] = frozenset(),
-        margins: Sequence[sympy.Expr] = (),
+        margins: Sequence[Expr] = (),
         keeps: Callable | None = None,
         above: Set[str] = frozenset(),
         is_pushed: bool = False,
@@ -118,7 +119,7 @@ class SystemCandidate(LyapunovCandidate):
         self.V = self._as_it_runs(V_of_states, written_V, values)
         undefined += self._leave_out(keeps)
         self.undefined = [*self.eq.undefined, *undefined]
-        self.given: dict[Any, sympy.Expr] = {}  # margin -> what it stands for
+        self.given: dict[Any, Expr] = {}  # margin -> what it stands for
         self.level_values = self.eq.values
         self.are_numbers |= bool(self.eq.pinned or (numbers and self.eq.fields))
         for s in self.relations.solved:
@@ -132,11 +133,11 @@ class SystemCandidate(LyapunovCandidate):
             limited = self._equations(names, self.where.undefined)
             self.undefined = [*limited.undefined, *undefined]
         self.write(lambda e: e.xreplace(self.where.values))
-        self.margins = list[sympy.Expr]()  # conditions between parameters
+        self.margins = list[Expr]()  # conditions between parameters
         for margin in margins:
             assume(self, margin)
         self.rate = self._rate_of_V()
-        self.readable: dict[Any, sympy.Expr] = {}  # V' -> V' in the user's signals
+        self.readable: dict[Any, Expr] = {}  # V' -> V' in the user's signals
         self.rest = None if rest is None else rest_of(self.states, rest)
         self.place = "rest" if self.rest else ""
 
@@ -151,7 +152,7 @@ class SystemCandidate(LyapunovCandidate):
         self.eq, self.states = self.relations.reduced(), [*self.motion]
         return without_value
 
-    def write(self, as_it_is: Callable[[sympy.Expr], sympy.Expr]) -> None:
+    def write(self, as_it_is: Callable[[Expr], Expr]) -> None:
         """Write V, the claim and the rates of states in another way."""
         self.motion = {s: as_it_is(rate) for s, rate in self.motion.items()}
         self.V, self.claim = as_it_is(self.V), self.claim and as_it_is(self.claim)
@@ -171,9 +172,7 @@ class SystemCandidate(LyapunovCandidate):
         named = type("Chosen", (names,), self.chosen)
         return on_symbols(self.system, named, watch=watch, with_samples=True)
 
-    def _as_it_runs(
-        self, e: sympy.Expr, written: sympy.Expr, values: dict[Any, Any]
-    ) -> sympy.Expr:
+    def _as_it_runs(self, e: Expr, written: Expr, values: dict[Any, Any]) -> Expr:
         """Return an expression without terms that are zero to rounding, or too small to run.
 
         It is `written` with parameters as symbols: of their numbers, `values`, SymPy leaves no
@@ -189,7 +188,7 @@ class SystemCandidate(LyapunovCandidate):
         self.is_rounded = True
         return of_numbers
 
-    def _keeps(self, margin: sympy.Expr) -> bool:
+    def _keeps(self, margin: Expr) -> bool:
         """Return whether a margin of a state stays above 0, by its rate there and at jumps."""
         (s,) = margin.free_symbols
         rate, jumps, is_open = self.motion[s], self.eq.jumps.values(), s.is_positive
@@ -200,7 +199,7 @@ class SystemCandidate(LyapunovCandidate):
         ):
             return False
         # states above 0 stay there by a rate that is Lipschitz at 0 too
-        closed = {a: sympy.Dummy(nonnegative=True) for a in self.where.above}
+        closed = {a: Dummy(nonnegative=True) for a in self.where.above}
         at_0, slope = rate.xreplace(closed), sympy.diff(margin, s)
         at_end = (slope * rate).xreplace({s: s - margin / slope})
         is_lipschitz = not (forks(at_0, self.fixed) or (closed and divides(at_0)))
@@ -211,7 +210,7 @@ class SystemCandidate(LyapunovCandidate):
         states = [s for s in self.states if self.rate.has(s) and not self.V.has(s)]
         return {str(s): (0, None) for s in states if self._keeps(s)}
 
-    def _rate_of_V(self) -> sympy.Expr:
+    def _rate_of_V(self) -> Expr:
         """Return V', or in discrete time by how much V changes from one time to the next."""
         if self.eq.discrete:
             if self.V.has(TIME, *self.inputs):
@@ -236,15 +235,15 @@ class SystemCandidate(LyapunovCandidate):
         total = squares(self.V, self.fixed)
         return errors_of(self, total.forms if total else ())
 
-    def depends_on(self, rate: sympy.Expr) -> list[str]:
+    def depends_on(self, rate: Expr) -> list[str]:
         """Return the inputs that V' depends on."""
         rate = normal_form(rate)
         return [str(f.func) for f in self.inputs if rate.has(f)]
 
     @property
-    def origin(self) -> Mapping[Any, sympy.Expr]:
+    def origin(self) -> Mapping[Any, Expr]:
         """The rest, or 0 for each state."""
-        return self.rest or dict.fromkeys(self.states, sympy.S.Zero)
+        return self.rest or dict.fromkeys(self.states, S.Zero)
 
     @cached_property
     def search(self) -> PointSearch:
@@ -275,26 +274,25 @@ class SystemCandidate(LyapunovCandidate):
     # --- in the user's signals ------------------------------------------------------------------
 
     @cached_property
-    def sums(self) -> Mapping[sympy.Expr, sympy.Expr]:
+    def sums(self) -> Mapping[Expr, Expr]:
         """Each signal that is a sum: the sum -> its symbol."""
-        names: dict[sympy.Expr, sympy.Expr] = {}
+        names: dict[Expr, Expr] = {}
         for port, symbols in self.eq.signals.items():
             for index, value in np.ndenumerate(symbols):
-                total = sympy.expand(value)
+                total = expand(value)
                 if total.is_Add and port != "V":
                     name = element_name(port, symbols.shape, index)
-                    symbol = sympy.Symbol(name, real=True)
-                    names |= {total: symbol, sympy.expand(-total): -symbol}
+                    symbol = Symbol(name, real=True)
+                    names |= {total: symbol, expand(-total): -symbol}
         return names
 
-    def in_signals(self, e: sympy.Expr) -> sympy.Expr:
+    def in_signals(self, e: Expr) -> Expr:
         """Return an expression in the diagram's own signals, each signal in place of its sum."""
         return e.xreplace(self.given).replace(
-            lambda term: term.is_Add,
-            lambda term: self.sums.get(sympy.expand(term), term),
+            lambda term: term.is_Add, lambda term: self.sums.get(expand(term), term)
         )
 
-    def text(self, expression: sympy.Expr) -> Statement:
+    def text(self, expression: Expr) -> Statement:
         """Return an expression in the diagram's own signals."""
         return said("{}", self.in_signals(expression))
 
@@ -302,7 +300,7 @@ class SystemCandidate(LyapunovCandidate):
         """Return V' and a claim in a line."""
         return said("V' = {}; {}", self.readable_rate(self.rate), claim)
 
-    def readable_rate(self, rate: sympy.Expr) -> sympy.Expr:
+    def readable_rate(self, rate: Expr) -> Expr:
         """Return V' factored, or as a sum of squares, whichever is shorter, in signals."""
         if rate not in self.readable:
             forms = map(self.in_signals, written(self, rate.xreplace(self.given)))
@@ -345,14 +343,14 @@ class SystemCandidate(LyapunovCandidate):
         failure = self.search.rises_far_off(self.rate)
         if failure is None:
             return None
-        inputs = joined(" = ", map(sympy.Symbol, self.depends_on(self.rate)))
+        inputs = joined(" = ", map(Symbol, self.depends_on(self.rate)))
         raises = said("{} raises V however large it is", inputs)
         step = Step(raises, True, "counterexample")
         claim = f"V' > 0: {failure[1]:.3g} at `point`, and 10 and 100 times as far off"
         claim = said("{}; where {} = 0 V' <= 0", claim, inputs)
         return Refutation(claim, step, *failure)
 
-    def refuted_at_jump(self, rise: sympy.Expr) -> Refutation | None:
+    def refuted_at_jump(self, rise: Expr) -> Refutation | None:
         """Return a point at which V rises at a jump, if jumps do not depend on time."""
         # it jumps at few times, and points have inputs of any size
         if rise.has(TIME, *self.intervals, *self.where.box):
@@ -365,7 +363,7 @@ class SystemCandidate(LyapunovCandidate):
 
     def _rises(self) -> Failure | None:
         """Return a point at which V' is above 0, or above the claim."""
-        rate, zero = normal_form(self.rate), sympy.S.Zero
+        rate, zero = normal_form(self.rate), S.Zero
         if rate.has(*self.where.box):  # points have inputs of any size
             return None
         if self.claim is not None:
@@ -388,7 +386,7 @@ class SystemCandidate(LyapunovCandidate):
             return self.search.sign_at(V - V.xreplace(self.rest), -1)
         if not (V.is_polynomial(*states) and V.has(*states)):
             return None
-        scale = sympy.Dummy()
+        scale = Dummy()
         scaled = sympy.Poly(V.xreplace({s: scale * s for s in states}), scale)
         return self.search.sign_at(scaled.LC(), -1)
 
@@ -412,8 +410,8 @@ class SystemCandidate(LyapunovCandidate):
         zeroed = dict[Any, Any]()
         falling = self.falling(bound)
         if falling is None and inputs and not self.is_pushed:
-            zeroed = {f: sympy.S.Zero for f in self.inputs if str(f.func) in inputs}
-            zeroed |= {sympy.Derivative(f, TIME): sympy.S.Zero for f in zeroed}
+            zeroed = {f: S.Zero for f in self.inputs if str(f.func) in inputs}
+            zeroed |= {sympy.Derivative(f, TIME): S.Zero for f in zeroed}
             still = bound.xreplace(zeroed)
             if not vanishes(still) and self.never_positive(still):
                 before = said("V' =")
@@ -423,7 +421,7 @@ class SystemCandidate(LyapunovCandidate):
                 claim = said("{} {}", before, self.readable_rate(still))
         if falling is None:
             return Fall([*steps, exact("V' <= 0", False)], claim)
-        where = joined(" = ", map(sympy.Symbol, inputs if zeroed else ()))
+        where = joined(" = ", map(Symbol, inputs if zeroed else ()))
         where = where and said(" where {} = 0", where)
         bound = falling.xreplace(zeroed)
         form, states = normal_form(bound), {*self.states}
@@ -469,7 +467,7 @@ class SystemCandidate(LyapunovCandidate):
         steps = [*claimed, *bound.steps]
         return replace(bound, steps=steps, claim=both_claims, conditions=conditions)
 
-    def excess(self, claim: sympy.Expr) -> sympy.Expr:
+    def excess(self, claim: Expr) -> Expr:
         """Return what V' has above a claim."""
         excess = normal_form(self.rate - claim)
         powers = excess.atoms(sympy.Pow)
@@ -478,16 +476,16 @@ class SystemCandidate(LyapunovCandidate):
             excess = as_factors(excess)
         signed = {a: a.args[0] * SIGN(*a.args) for a in excess.atoms(sympy.Abs)}
         is_zero = powers and vanishes(excess.xreplace(signed))
-        return sympy.S.Zero if is_zero else excess
+        return S.Zero if is_zero else excess
 
     def conditions(self, zeroed: list[str]) -> list[Condition]:
         """Return where V' is as shown."""
         nodes = wiring_of(self.system).nodes
         stand_ins = [*filter(None, (node.system.approximation for node in nodes))]
         # inputs within bounds are not taken as zero
-        rate = self.rate.xreplace(dict.fromkeys(self.where.box, sympy.Dummy()))
+        rate = self.rate.xreplace(dict.fromkeys(self.where.box, Dummy()))
         texts = (
-            ("zero inputs", joined(" = ", map(sympy.Symbol, zeroed))),
+            ("zero inputs", joined(" = ", map(Symbol, zeroed))),
             ("approximation", ", ".join(stand_ins)),
             ("between", joined(", ", map(as_relation, self.margins))),
             ("start", self.where.sets),
@@ -497,7 +495,7 @@ class SystemCandidate(LyapunovCandidate):
         conditions = [Condition("t >= 0")] * has_time(self.V, rate)
         conditions += [Condition(name, text) for name, text in texts if text]
         conditions += [Condition("rounding")] * self.is_rounded
-        values = ((s, f"{float(n):.15g}") for s, n in self.parameters.items())
+        values = ((s, double(n)) for s, n in self.parameters.items())
         listed = joined(", ", (said("{} = {}", *pair) for pair in values))
         return conditions + [Condition("values", listed)] * self.are_numbers
 
@@ -519,9 +517,9 @@ class SystemCandidate(LyapunovCandidate):
 
     # --- V' -------------------------------------------------------------------------------------
 
-    def falling(self, bound: sympy.Expr) -> sympy.Expr | None:
+    def falling(self, bound: Expr) -> Expr | None:
         """Return V' or a bound as it is never positive: as it is, reduced, or by states."""
-        terms = sympy.Add.make_args(bound)
+        terms = Add.make_args(bound)
         if all(bool(term.is_nonpositive) for term in terms):
             return bound
         if terms_of(bound) <= MOST_IN_PRODUCT and divides_by_sum(bound):
@@ -541,18 +539,18 @@ class SystemCandidate(LyapunovCandidate):
         no work do.
         """
 
-        def goes_down(rate: sympy.Expr, slope: sympy.Expr) -> bool:
+        def goes_down(rate: Expr, slope: Expr) -> bool:
             return self.never_positive(sympy.cancel(rate / slope))
 
-        remaining = list[sympy.Expr]()
-        for s, rate in {TIME: sympy.S.One, **self.motion}.items():
+        remaining = list[Expr]()
+        for s, rate in {TIME: S.One, **self.motion}.items():
             slope = normal_form(slope_in(self.V, s))
             if slope == 0 or goes_down(rate, slope):
                 continue
-            terms = sympy.Add.make_args(rate)
+            terms = Add.make_args(rate)
             undecided = [g for g in terms if g == rate or not goes_down(g, slope)]
             remaining += [slope * term for term in undecided]
-        return self.never_positive(sympy.Add(*remaining))
+        return self.never_positive(Add(*remaining))
 
     def verdict(self, status: Status, claim: str, fall: Fall, **fields: Any) -> Verdict:
         """Return a verdict on V, in the diagram's own signals."""

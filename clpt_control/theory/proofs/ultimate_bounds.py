@@ -27,6 +27,20 @@ from typing import Any, NamedTuple
 import numpy as np
 import sympy
 from scipy.optimize import minimize, minimize_scalar
+from sympy import (
+    Add,
+    Dummy,
+    Expr,
+    Max,
+    Min,
+    S,
+    Symbol,
+    Tuple,
+    diff,
+    expand,
+    hessian,
+    sqrt,
+)
 from sympy.core.function import AppliedUndef
 
 from ...base.units import at_least, at_most
@@ -53,8 +67,8 @@ FAR = 1e9  # larger maxima are none
 class Pull(NamedTuple):
     """V' <= -rate V + push, or -e^T KD e/2 + push where rate is zero."""
 
-    rate: sympy.Expr  # in what the law does not know: theta, KD and GammaD
-    push: sympy.Expr
+    rate: Expr  # in what the law does not know: theta, KD and GammaD
+    push: Expr
 
 
 def bounded(claim: str, shows: str, level: Any = None, **fields: Any) -> Fall:
@@ -66,29 +80,29 @@ def bounded(claim: str, shows: str, level: Any = None, **fields: Any) -> Fall:
     return Fall([step], claim, level=level, **fields)
 
 
-def _pull_of(quadratic: sympy.Expr, s: sympy.Symbol, moves: set) -> Pull | None:
+def _pull_of(quadratic: Expr, s: Symbol, moves: set) -> Pull | None:
     """Return a and b^2/(2 a) of -a s^2 + b s."""
     a, b = -quadratic.coeff(s, 2), quadratic.coeff(s, 1)
-    if sympy.expand(quadratic + a * s**2 - b * s) != 0:
+    if expand(quadratic + a * s**2 - b * s) != 0:
         return None
     is_flat = a == 0 and b != 0
-    if not a.is_nonnegative or _moves(sympy.Tuple(a, b), moves) or is_flat:
+    if not a.is_nonnegative or _moves(Tuple(a, b), moves) or is_flat:
         return None
-    return Pull(a, b**2 / (2 * a) if b != 0 else sympy.S.Zero)
+    return Pull(a, b**2 / (2 * a) if b != 0 else S.Zero)
 
 
-def _leak_of(term: sympy.Expr, s: sympy.Symbol, true: sympy.Expr) -> Pull | None:
+def _leak_of(term: Expr, s: Symbol, true: Expr) -> Pull | None:
     """Return how -f a^2k a (a - a*) pulls, a = a* + s, for f between two numbers.
 
     It is not positive but where |a| < |a*|, and there at most f |a*|^(2k + 2)/4; where f keeps away
     from zero and k is 0 it is -f s^2/2 and at most f |a*|^2/2.
     """
-    a = sympy.Dummy(real=True)
-    of_a = sympy.expand(term.xreplace({s: a - true}))
+    a = Dummy(real=True)
+    of_a = expand(term.xreplace({s: a - true}))
     if not of_a.is_polynomial(a):
         return None
-    share, remainder = sympy.div(of_a, sympy.expand(-a * (a - true)), a)
-    push, slowest = sympy.S.Zero, sympy.S.Zero
+    share, remainder = sympy.div(of_a, expand(-a * (a - true)), a)
+    push, slowest = S.Zero, S.Zero
     for (power,), f in sympy.Poly(share, a).terms() if remainder == 0 else ():
         low, high = interval(f)
         if power % 2 or not (low.is_extended_nonnegative and high.is_finite):
@@ -100,21 +114,19 @@ def _leak_of(term: sympy.Expr, s: sympy.Symbol, true: sympy.Expr) -> Pull | None
     return Pull(slowest, push) if push != 0 else None
 
 
-def _moves(expression: sympy.Expr, moving: set) -> bool:
+def _moves(expression: Expr, moving: set) -> bool:
     return bool(expression.free_symbols & moving or expression.atoms(sympy.Function))
 
 
-def shared(V: sympy.Expr, rates: Sequence[sympy.Expr], pulls: Sequence[Pull]) -> Pull:
+def shared(V: Expr, rates: Sequence[Expr], pulls: Sequence[Pull]) -> Pull:
     """Return the pull of the lowest level that all rates have."""
     slowest, pushes = zip(*pulls, strict=True)
-    found = lowest(V, rates, {*slowest} - {sympy.S.Zero})
-    return found or Pull(sympy.Min(*slowest), sympy.Max(*pushes))
+    found = lowest(V, rates, {*slowest} - {S.Zero})
+    return found or Pull(Min(*slowest), Max(*pushes))
 
 
 def lowest(
-    V: sympy.Expr,
-    rates: Sequence[sympy.Expr],
-    shares: Iterable[sympy.Expr] | None = None,
+    V: Expr, rates: Sequence[Expr], shares: Iterable[Expr] | None = None
 ) -> Pull | None:
     """Return the pull of the lowest level by the maxima of all rates and a share of V.
 
@@ -128,14 +140,14 @@ def lowest(
         shares = [rational(float(f"{10**found.x:.2g}"))]
     found = []
     for k in shares:
-        maxima = (maximum_of(sympy.expand(e + k * V)) for e in rates)
+        maxima = (maximum_of(expand(e + k * V)) for e in rates)
         tops = [*takewhile(lambda top: top is not None, maxima)]
         if len(tops) == len(rates):
-            found.append(Pull(k, sympy.Max(*tops)))
+            found.append(Pull(k, Max(*tops)))
     return min(found, key=lambda pull: pull.push / pull.rate, default=None)
 
 
-def sampled(V: sympy.Expr, rates: Sequence[sympy.Expr]) -> tuple:
+def sampled(V: Expr, rates: Sequence[Expr]) -> tuple:
     """Return random points of all sizes, V and the largest rate there."""
     numbers = NumericValues(V, *rates)
     points = random_points(numbers.symbols, SAMPLES, 3)
@@ -145,7 +157,7 @@ def sampled(V: sympy.Expr, rates: Sequence[sympy.Expr]) -> tuple:
     return points, size, np.max(changes, axis=0)
 
 
-def maximum_of(e: sympy.Expr) -> sympy.Expr | None:
+def maximum_of(e: Expr) -> Expr | None:
     """Return the maximum of concave squares, or one found by numbers, rounded up."""
     states = sorted(e.free_symbols, key=str)
     if not states:
@@ -153,10 +165,10 @@ def maximum_of(e: sympy.Expr) -> sympy.Expr | None:
     terms = e.as_poly(*states)
     square = terms and terms.total_degree() < 3
     if square and all(number.is_Rational for number in terms.coeffs()):
-        H = -sympy.hessian(e, states)
+        H = -hessian(e, states)
         if not H.is_positive_definite:
             return None
-        at_zero = dict.fromkeys(states, sympy.S.Zero)
+        at_zero = dict.fromkeys(states, S.Zero)
         b = sympy.Matrix([e]).jacobian(states).xreplace(at_zero)
         return e.xreplace(at_zero) + (b * H.inv() * b.T)[0] / 2
     numbers = NumericValues(-e)
@@ -176,19 +188,19 @@ def maximum_of(e: sympy.Expr) -> sympy.Expr | None:
 class InForms(NamedTuple):
     """V and V' of a diagram in the forms of V, each of them one state."""
 
-    V: sympy.Expr
-    rate: sympy.Expr
-    rest: dict[Any, sympy.Expr]
-    forms: dict[Any, sympy.Expr]  # state -> its error, in the states of the diagram
+    V: Expr
+    rate: Expr
+    rest: dict[Any, Expr]
+    forms: dict[Any, Expr]  # state -> its error, in the states of the diagram
 
 
 def in_forms(case: Any, definite: Definite) -> InForms | None:
     """Return V and V' of a diagram in the forms of V; None where V has no one least point."""
     states, forms = errors_of(case, definite.forms, least=2)
-    V, rate = (sympy.expand(e.xreplace(states)) for e in (case.V, case.rate))
+    V, rate = (expand(e.xreplace(states)) for e in (case.V, case.rate))
     total = squares(V, case.fixed)
     if total is None:  # linear in states of sets
-        V, rate = (sympy.expand(e.xreplace(case.where.squared)) for e in (V, rate))
+        V, rate = (expand(e.xreplace(case.where.squared)) for e in (V, rate))
         total, forms = squares(V, case.fixed), case.where.roots
     moving = sorted(V.free_symbols - case.fixed, key=str)
     rest = zero_of(total, moving) if total else None
@@ -224,22 +236,20 @@ class Bounding:
         self.case, self.KD = case, case.KD
         self.V, self.truth = found.V, found.rest
         self.moving = {TIME, *case.motion, *case.intervals}
-        H = sympy.hessian(self.V, list(self.truth))
+        H = hessian(self.V, list(self.truth))
         self.is_diagonal = H.is_diagonal()
         self.weights = {s: H[j, j] for j, s in enumerate(self.truth)}
         # disturbances that push one error each; others stay in V'
         slopes = {self.weights[s] * (s - true): s for s, true in self.truth.items()}
-        pushed = {f: slopes.get(sympy.diff(found.rate, f)) for f in case.disturbances}
+        pushed = {f: slopes.get(diff(found.rate, f)) for f in case.disturbances}
         names = {f: s for f, s in pushed.items() if s is not None}
-        self.rate = found.rate.xreplace(dict.fromkeys(names, sympy.S.Zero))
-        self.pushes = {
-            s: sympy.Symbol(f"{f.func}", positive=True) for f, s in names.items()
-        }
+        self.rate = found.rate.xreplace(dict.fromkeys(names, S.Zero))
+        self.pushes = {s: Symbol(f"{f.func}", positive=True) for f, s in names.items()}
         sizes = ((self.weights[s] * size) ** 2 for s, size in self.pushes.items())
-        self.push = sympy.sqrt(sympy.Add(*sizes))
+        self.push = sqrt(Add(*sizes))
         weights = [self.weights.get(e, sympy.nan) for e in self.KD]
         shares = zip(weights, self.KD.items(), strict=True)
-        self.residual = self.rate + sympy.Add(*(w * k * e**2 for w, (e, k) in shares))
+        self.residual = self.rate + Add(*(w * k * e**2 for w, (e, k) in shares))
         self.square = {*weights} == {1} and self.is_diagonal  # V contains |e|^2/2
         self.leaks = leaks_of(self.residual, self.truth, self.moving) if self.KD else []
 
@@ -265,7 +275,7 @@ class Bounding:
         rates = [at for _, at in self.case.where.corners(self.rate, waves=True)]
         found = [*filter(None, map(self.pulled, rates))]
         if len(found) < len(rates):
-            if self.pushes or sympy.Tuple(*rates).free_symbols - self.truth.keys():
+            if self.pushes or Tuple(*rates).free_symbols - self.truth.keys():
                 return None
             return lowest(self.V, rates)
         return shared(self.V, rates, found) if found[1:] else next(iter(found), None)
@@ -275,10 +285,10 @@ class Bounding:
         if any(call.has(*self.KD) for call in self.residual.atoms(AppliedUndef)):
             # how it bends is not known
             return False
-        slopes = (sympy.diff(self.residual, e, 2) for e in self.KD)
+        slopes = (diff(self.residual, e, 2) for e in self.KD)
         return self.square and all(slope.is_nonpositive for slope in slopes)
 
-    def pulled(self, rate: sympy.Expr) -> Pull | None:
+    def pulled(self, rate: Expr) -> Pull | None:
         """Bound V' by what pulls back and a constant, state by state, about the rest.
 
         None where V' is not a sum of a term -a s^2 + b s, a leak or a polynomial for each error s;
@@ -287,8 +297,8 @@ class Bounding:
         rest, moves = self.truth, {*self.truth, *self.moving}
         groups = groups_of(self.about_the_rest(rate), {*rest})
         terms = {tuple(g.free_symbols & {*rest}): g for g in groups}
-        push, rates = terms.get((), sympy.S.Zero), []
-        constants = sympy.Tuple(push, *self.weights.values())
+        push, rates = terms.get((), S.Zero), []
+        constants = Tuple(push, *self.weights.values())
         if (
             not self.is_diagonal
             or _moves(constants, moves)
@@ -296,7 +306,7 @@ class Bounding:
         ):
             return None
         for s, weight in self.weights.items():
-            term = terms.get((s,), sympy.S.Zero)
+            term = terms.get((s,), S.Zero)
             pull = _pull_of(term, s, moves) or _leak_of(term, s, rest[s])
             if pull is None and s not in self.pushes and term.free_symbols == {s}:
                 pull = lowest(s**2 / 2, [term])
@@ -311,14 +321,14 @@ class Bounding:
             # of the square of a root nothing is needed to complete a square
             share = 2 if s in self.case.where.roots and pull.push == 0 else 1
             rates.append(share * pull.rate / weight)
-        return Pull(sympy.Min(*rates), push)
+        return Pull(Min(*rates), push)
 
-    def about_the_rest(self, rate: sympy.Expr) -> sympy.Expr:
+    def about_the_rest(self, rate: Expr) -> Expr:
         """Return V' in the errors of the states."""
         shift = {s: s + true for s, true in self.truth.items()}
-        return sympy.expand(rate.xreplace(shift))
+        return expand(rate.xreplace(shift))
 
-    def corners(self) -> list[sympy.Expr]:
+    def corners(self) -> list[Expr]:
         """Return V' in the errors of the states at each corner of the box of inputs."""
         corners = self.case.where.corners(self.rate)
         return [self.about_the_rest(rate) for _, rate in corners]
@@ -328,9 +338,9 @@ class Bounding:
         levels = [*map(self.level_by_error, self.corners())]
         if not levels or None in levels:
             return None
-        return bounded(f"V' <= 0 {ABOVE}", "ceiling", sympy.Max(*levels))
+        return bounded(f"V' <= 0 {ABOVE}", "ceiling", Max(*levels))
 
-    def level_by_error(self, rate: sympy.Expr) -> sympy.Expr | None:
+    def level_by_error(self, rate: Expr) -> Expr | None:
         """Return V above which V' = -e^T K e + p^T e - |e| (z^T A z - b^T z - push) falls."""
         states, weights = self.truth, self.weights
         sizes = [
@@ -342,32 +352,32 @@ class Bounding:
             return None
         (size,) = sizes
         decay, leak = rate.as_independent(size, as_Add=True)
-        share = sympy.expand(leak / size)
+        share = expand(leak / size)
         K = {e: -decay.coeff(e, 2) for e in states if size.has(e)}
         A = {s: -share.coeff(s, 2) for s in states if s not in K}
         b = {s: share.coeff(s, 1) for s in A}
         p = {e: decay.coeff(e, 1) for e in K}
 
-        def total(of: dict, power: int) -> sympy.Expr:
-            return sympy.Add(*(factor * s**power for s, factor in of.items()))
+        def total(of: dict, power: int) -> Expr:
+            return Add(*(factor * s**power for s, factor in of.items()))
 
         known = total(p, 1) - total(K, 2) + size * (total(b, 1) - total(A, 2))
         excess = rate - known, size**2 - total(dict.fromkeys(K, 1), 2)
-        numbers = sympy.Tuple(*(n for of in (K, A, b, p, weights) for n in of.values()))
-        if any(map(sympy.expand, excess)) or _moves(numbers, {*states, *self.moving}):
+        numbers = Tuple(*(n for of in (K, A, b, p, weights) for n in of.values()))
+        if any(map(expand, excess)) or _moves(numbers, {*states, *self.moving}):
             return None
         if not (A and all(k.is_positive for k in (*K.values(), *A.values()))):
             return None
-        c = self.push + sympy.Add(*(b[s] ** 2 / (2 * a) for s, a in A.items()))
-        c += sympy.sqrt(sympy.Add(*(of_e**2 for of_e in p.values())))
+        c = self.push + Add(*(b[s] ** 2 / (2 * a) for s, a in A.items()))
+        c += sqrt(Add(*(of_e**2 for of_e in p.values())))
         corners = [weights[s] * c / a for s, a in A.items()]
-        heaviest, slowest = sympy.Max(*map(weights.get, K)), sympy.Min(*K.values())
-        return sympy.Max(heaviest * c**2 / (2 * slowest**2), *corners)
+        heaviest, slowest = Max(*map(weights.get, K)), Min(*K.values())
+        return Max(heaviest * c**2 / (2 * slowest**2), *corners)
 
     def far_off(self) -> Fall | None:
         """Return the level above which V of one state falls, V' < 0 at each corner there."""
         V, rates = self.about_the_rest(self.V), self.corners()
-        states = sympy.Tuple(V, *rates).free_symbols
+        states = Tuple(V, *rates).free_symbols
         if not (self.case.where.box and rates) or len(states) != 1:
             return None
         # Step 1: by numbers, the distance beyond which V' < 0
@@ -375,7 +385,7 @@ class Bounding:
         farthest = np.abs(points[0][change >= 0]).max(initial=0.0)
         start = rational(float(at_most(1.005 * farthest)))
         # Step 2: V rises, and V' <= -margin dV/d|s|, from there on
-        (s,), more, level = states, sympy.Dummy(positive=True), sympy.S.Zero
+        (s,), more, level = states, Dummy(positive=True), S.Zero
         for side in (1, -1):
             rise = sympy.factor(side * V.diff(s).xreplace({s: side * more}))
             beyond = {s: side * (start + more)}
@@ -388,7 +398,7 @@ class Bounding:
                 margin = rational(float(f"{least / 2:.1g}"))
                 if not never_positive(share + margin, set()):
                     return None
-            level = sympy.Max(level, V.xreplace({s: side * start}))
+            level = Max(level, V.xreplace({s: side * start}))
         return bounded(f"V' < 0 {ABOVE}", "pulled", level)
 
     def pulled_to(self, pull: Pull, more: str = "") -> Fall | None:
@@ -400,8 +410,8 @@ class Bounding:
         push = outward(pull.push)
         if pull.rate == 0:
             c = self.letter("c")
-            mean = said("e^T KD e is at most 2 {}", c)
-            claim = said("V' <= -e^T KD e/2 + {}, {} = {}{}", c, c, push, more)
+            mean = said("`e^T KD e` is at most 2 {}", c)
+            claim = said("V' <= `-e^T KD e/2` + {}, {} = {}{}", c, c, push, more)
             return bounded(claim, "mean", bound=mean)
         rate = outward(pull.rate, up=False)
         if pull.rate.is_number and pull.push.is_number:
@@ -414,15 +424,15 @@ class Bounding:
         )
         return bounded(claim, "pulled", level, bound=said("{}/{}", c, r))
 
-    def letter(self, name: str) -> sympy.Symbol:
+    def letter(self, name: str) -> Symbol:
         """Return a letter of the sentence, with a number where the loop has it."""
         while name in self.case.eq.named:
             name += "_1"
-        return sympy.Symbol(name)
+        return Symbol(name)
 
-    def size(self, leak: Leak) -> sympy.Expr:
+    def size(self, leak: Leak) -> Expr:
         """Return |s*|."""
-        return sympy.sqrt(sympy.Add(*(self.truth[s] ** 2 for s in leak.states)))
+        return sqrt(Add(*(self.truth[s] ** 2 for s in leak.states)))
 
     def rising(self) -> Fall | None:
         """Return the bound where every factor rises with |s|."""
@@ -438,10 +448,10 @@ class Bounding:
             conditions.append(
                 said("{} <= {}", self.size(leak), at_least(float(radial.M)))
             )
-        pull = self.pulled(sympy.expand(full))
+        pull = self.pulled(expand(full))
         if pull is None:
             return None
-        more = said("; where {}, V' <= -e^T KD e without Delta", listed(conditions))
+        more = said("; where {}, V' <= `-e^T KD e` without `Delta`", listed(conditions))
         return self.pulled_to(Pull(pull.rate, pull.push + excess), more)
 
     def within_balls(self) -> Fall | None:
@@ -450,7 +460,7 @@ class Bounding:
         learned = self.truth.keys() - self.KD.keys()
         if not self.square or sorted(leaking, key=str) != sorted(learned, key=str):
             return None
-        k = sympy.Min(*self.KD.values())
+        k = Min(*self.KD.values())
         level, conditions = self.push**2 / (2 * k**2), []
         for leak in self.leaks:
             radial = radial_of(leak)
@@ -460,13 +470,13 @@ class Bounding:
                 or not stays_within(leak, radial, self.case.motion)
             ):
                 return None
-            slowest = sympy.Max(*(self.weights[s] for s in leak.states))
+            slowest = Max(*(self.weights[s] for s in leak.states))
             level += slowest * (radial.R + self.size(leak)) ** 2 / 2
-            port = sympy.Symbol(leak.states[0].name.partition("_")[0])
+            port = Symbol(leak.states[0].name.partition("_")[0])
             radius = said("|{}| <= {}", port, at_most(float(radial.R)))
             truth = said("{} <= {}", self.size(leak), at_least(float(radial.M)))
             conditions.append((truth, radius))
         truths, radii = map(listed, zip(*conditions, strict=True))
         where = [Condition("start", radii), Condition("truth", truths)]
-        claim = said("V' <= -e^T KD e + e^T Delta, {} for good", radii)
+        claim = said("V' <= `-e^T KD e + e^T Delta`, {} for good", radii)
         return bounded(claim, "pulled", level, conditions=where)

@@ -14,14 +14,28 @@ from types import MappingProxyType
 from typing import Any
 
 import sympy
-from sympy import Expr, S, Symbol, oo
+from sympy import (
+    Add,
+    Dummy,
+    Expr,
+    Mul,
+    Rational,
+    S,
+    Symbol,
+    cos,
+    exp,
+    expand,
+    oo,
+    sin,
+    tanh,
+)
 
 from ...base.arguments import check_known, finite
 from ...base.errors import DiagramError
 from ...engine.diagram.symbol_names import TIME
 from ...engine.record.symbolic import rational
 from ..algebra.facts import CLIP, interval
-from ..algebra.texts import DIGITS, LARGEST
+from ..algebra.texts import DIGITS, LARGEST, double
 from .signal_functions import undefined_in
 from .statements import Statement, joined, said
 
@@ -30,7 +44,7 @@ MOST_TURNS = 360  # pi/360 is a share of pi
 MOST_CORNERS = 64
 ABOVE = 1e-6  # least value of a state above 0, at points
 MOST = sympy.Integer(10) ** 100  # size of a bound
-RANGED = sympy.sin, sympy.cos, sympy.tanh  # from -1 to 1
+RANGED = sin, cos, tanh  # from -1 to 1
 
 
 def rest_of(states: Sequence[Any], values: Mapping[str, float]) -> dict[Any, Expr]:
@@ -94,15 +108,14 @@ class Where:
                 self.kept[s] = low, high
                 for end, sign in ((low, 1), (high, -1)):
                     if end is not None:
-                        root = sympy.Dummy(name, real=True)
+                        root = Dummy(name, real=True)
                         self.roots[root] = sign * (s - end)
                         self.squared.setdefault(s, end + sign * root**2)
             if s.is_positive:
                 continue
-            share = sympy.Dummy(name, nonnegative=True)
-            if low is not None and high is not None:
-                share = CLIP(share, 0, 1) * (high - low)
-            self.inside[s] = high - share if low is None else low + share
+            self.inside[s] = _within(
+                -oo if low is None else low, oo if high is None else high
+            )
 
     @property
     def above(self) -> list:
@@ -153,10 +166,10 @@ class Where:
     @property
     def bounds(self) -> Statement:
         """The bounds of inputs."""
-        parts = [("", d, f" = {float(value):.15g}") for d, value in self.values.items()]
+        parts = [("", d, f" = {double(value)}") for d, value in self.values.items()]
         for d, (low, high) in self.box.items():
-            least = f"{float(low):.15g} <= " * (low != -oo)
-            parts.append((least, d, f" <= {float(high):.15g}" * (high != oo)))
+            least = f"{double(low)} <= " * (low != -oo)
+            parts.append((least, d, f" <= {double(high)}" * (high != oo)))
         named = ((least, Symbol(f"{d.func}"), most) for least, d, most in parts)
         return joined(", ", (said("{}{}{}", *of_input) for of_input in named))
 
@@ -167,41 +180,64 @@ class Where:
         it is at most the mean of the rates at the corners, and that mean if it is affine.  Waves in
         the rate may be taken as inputs.
         """
-        expanded = sympy.expand(rate)
-        ends = ranges_in(rate) if waves and self.box else {}
-        for d, (low, high) in self.box.items():
-            squares = sorted((low**2, high**2))
-            if expanded.xreplace({d**2: S.One}).has(d):
-                ends[d] = low, high
-            else:
-                ends[d**2] = S.Zero if low <= 0 <= high else squares[0], squares[1]
-        names = {d: sympy.Dummy(real=True) for d in ends if expanded.has(d)}
-        known = {s: (d, *ends[d]) for d, s in names.items()}
-        as_inputs = at_corners(expanded.xreplace(names), known)
+        expanded = expand(rate)
+        ends = dict[Any, tuple]()
+        if waves and self.box:
+            ends = dict.fromkeys(rate.atoms(*RANGED), (-S.One, S.One))
+            slopes = ((e, e.args[0] / TIME) for e in rate.atoms(exp))
+            fading = (e for e, c in slopes if c.is_Rational and c.is_negative)
+            ends |= dict.fromkeys(fading, (S.Zero, S.One))
+        for d in self.box:
+            is_even = not expanded.xreplace({d**2: S.One}).has(d)
+            f = d**2 if is_even else d
+            ends[f] = range_in(f, self.box)
+        names = {f: Dummy(real=True) for f in ends if expanded.has(f)}
+        as_inputs = self.at_corners(expanded.xreplace(names), names, ends)
         # a function of an input without an end may come near its own end, and not to it
         is_open = {*self.box} - {*self.bounded}
         if as_inputs or (is_open and not waves):
             return as_inputs
-        return at_corners(*self.in_functions(expanded))
+        of_inputs, names = self.in_functions(expanded)
+        ends = {f: range_in(f, self.box) for f in names}
+        return self.at_corners(of_inputs, names, ends)
 
     def in_functions(self, expanded: Expr) -> tuple[Expr, dict]:
-        """Return a rate with a symbol for each function of inputs, and what it is and its ends.
+        """Return a rate with a symbol for each function of inputs, and these.
 
         Terms with the same states have one function, as 4 d - 4 d^2 of 4 d x - 4 d^2 x.
         """
         weights, functions = dict[Expr, Expr](), dict[Expr, Any]()
-        for term in sympy.Add.make_args(expanded):
-            factors = sympy.Mul.make_args(term)
-            own = sympy.Mul(*(f for f in factors if self.is_of_inputs(f)))
+        for term in Add.make_args(expanded):
+            own = Mul(*filter(self.is_of_inputs, Mul.make_args(term)))
             weights[term / own] = weights.get(term / own, S.Zero) + own
         for rest, weight in weights.items():
             number, function = weight.primitive()
             if not function.is_number:
-                s = functions.setdefault(function, sympy.Dummy(real=True))
-                weights[rest] = number * s
-        rate = sympy.Add(*(rest * weight for rest, weight in weights.items()))
-        known = {s: (f, *range_in(f, self.box)) for f, s in functions.items()}
-        return rate, known | {d: (d, -oo, oo) for d in self.box if rate.has(d)}
+                weights[rest] = number * functions.setdefault(
+                    function, Dummy(real=True)
+                )
+        return Add(*(rest * weight for rest, weight in weights.items())), functions
+
+    def at_corners(
+        self, rate: Expr, names: Mapping[Any, Any], ends: Mapping[Any, tuple]
+    ) -> list[tuple]:
+        """Return a rate where the symbols of functions are at their ends, as `corners` does."""
+        corners: list[tuple] = [((), rate)]
+        for meaning, s in names.items():
+            low, high = ends[meaning]
+            bends = [expand(at.diff(s, 2)) for _, at in corners]
+            is_convex = all(b.is_nonnegative and not b.has(s) for b in bends)
+            if not is_convex or high - low == oo or len(corners) >= MOST_CORNERS:
+                return []
+            corners = [
+                (
+                    (*shares, expand((meaning - other) / (end - other))),
+                    expand(at.xreplace({s: end})),
+                )
+                for shares, at in corners
+                for end, other in ((low, high), (high, low))
+            ]
+        return [] if rate.has(*self.box) else corners
 
     def is_of_inputs(self, e: Expr) -> bool:
         """Return whether an expression holds inputs with bounds, and nothing else."""
@@ -217,33 +253,11 @@ class Where:
         return next(largest, None)
 
 
-def at_corners(rate: Expr, known: Mapping[Any, tuple]) -> list[tuple]:
-    """Return a rate where symbols are at their ends, with factors of the share of each corner.
-
-    A symbol is known by what it stands for, its least and its largest value.
-    """
-    corners: list[tuple] = [((), rate)]
-    for s, (meaning, low, high) in known.items():
-        bends = [sympy.expand(at.diff(s, 2)) for _, at in corners]
-        is_convex = all(b.is_nonnegative and not b.has(s) for b in bends)
-        if not is_convex or high - low == oo or len(corners) >= MOST_CORNERS:
-            return []
-        corners = [
-            (
-                (*shares, sympy.expand((meaning - other) / (end - other))),
-                sympy.expand(at.xreplace({s: end})),
-            )
-            for shares, at in corners
-            for end, other in ((low, high), (high, low))
-        ]
-    return corners
-
-
 def range_in(function: Expr, box: Mapping[Any, tuple]) -> tuple:
     """Return numbers between which a function of inputs is; sharp ones of a fraction of one."""
+    if function in box:
+        return box[function]
     inputs = [d for d in box if function.has(d)]
-    if function in box or not inputs:
-        return box.get(function, (function, function))
     found = None if inputs[1:] else _range_of_fraction(function, inputs[0], box)
     if found is None:
         parts = {a: _within(*range_in(a, box)) for a in function.args if a.has(*inputs)}
@@ -255,7 +269,7 @@ def _rounded(end: Expr, side: int) -> Expr:
     """Return a rational number beyond an end, or the end if it is one."""
     if end.is_Rational or end.is_infinite:
         return end
-    number = sympy.Rational(f"{end.n(DIGITS)}")
+    number = Rational(f"{end.n(DIGITS)}")
     return number + side * abs(number) / LARGEST
 
 
@@ -263,7 +277,7 @@ def _range_of_fraction(
     function: Expr, d: Any, box: Mapping[Any, tuple]
 ) -> tuple | None:
     """Return the least and the largest value of a fraction of an input, if that is one."""
-    (low, high), s = box[d], sympy.Dummy(real=True)
+    (low, high), s = box[d], Dummy(real=True)
     of_s = function.xreplace({d: s})
     if high - low == oo or not of_s.is_rational_function(s):
         return None
@@ -278,21 +292,9 @@ def _range_of_fraction(
 
 def _within(low: Expr, high: Expr) -> Expr:
     """Return any number between two ends."""
-    share = sympy.Dummy(nonnegative=True)
-    if oo in (-low, high):
-        return (
-            sympy.Dummy(real=True)
-            if -low == high
-            else high - share
-            if -low == oo
-            else low + share
-        )
-    return low + CLIP(share, 0, 1) * (high - low)
-
-
-def ranges_in(rate: Expr) -> dict[Any, tuple]:
-    """Return functions in a rate that are between numbers, with these."""
-    slopes = ((e, e.args[0] / TIME) for e in rate.atoms(sympy.exp))
-    fading = [e for e, slope in slopes if slope.is_Rational and slope < 0]
-    ranges = dict.fromkeys(rate.atoms(*RANGED), (-S.One, S.One))
-    return ranges | dict.fromkeys(fading, (S.Zero, S.One))
+    share = Dummy(nonnegative=True)
+    if -low == high == oo:
+        return Dummy(real=True)
+    if -low == oo:
+        return high - share
+    return low + (share if high == oo else CLIP(share, 0, 1) * (high - low))

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 import sympy
+from sympy import Matrix, Symbol, diff, eye, zeros
 
 from ...engine.record.symbolic import Symbols
 from ...paper.blocks import flow
@@ -78,7 +79,7 @@ def misprints() -> tuple[Misprint, ...]:
 def any_gains(law: str, disturbed: bool = False) -> PaperLoop:
     """Return a loop with free injection and free rates of the adapted parameters."""
     loop = symbolic_loop(theorem_loop(2, law, disturbed), ("injection",))
-    rate_symbol = np.vectorize(lambda s: sympy.Symbol(f"{s}'", real=True))
+    rate_symbol = np.vectorize(lambda s: Symbol(f"{s}'", real=True))
     adapted = [port for port in LEARNED if port in loop.states]
     free = {port: rate_symbol(loop.states[port]) for port in adapted}
     return PaperLoop(loop=replace(loop, rates=loop.rates | free))
@@ -91,10 +92,10 @@ def of_law(law: str) -> PaperLoop:
 
 
 @cache
-def error_dynamics() -> tuple[sympy.Matrix, sympy.Matrix, sympy.Matrix, sympy.Symbol]:
+def error_dynamics() -> tuple[Matrix, Matrix, Matrix, Symbol]:
     """Return A of Eq. (28), in the order e, eta, the joint regressor W (8, 2), KD and gamma."""
     loop = symbolic_loop(error_loop(theorem_scenario(2, "learned-flow")))
-    A = sympy.Matrix([*loop.motion.values()]).jacobian([*loop.motion])
+    A = Matrix([*loop.motion.values()]).jacobian([*loop.motion])
     KD = sympy.diag(*loop.parameters["error_system"].KD)
     return A, A[:2, 2:].T, KD, loop.parameters["parameter_system"].gain
 
@@ -163,13 +164,13 @@ def equation_28_rows(printed: bool) -> Any:
     blocks = [W[j : j + 2, :] for j in range(0, 8, 2)]
     if printed:
         blocks = [block.T for block in blocks]
-    return A[2:, :2] + gamma * sympy.Matrix.vstack(*blocks)
+    return A[2:, :2] + gamma * Matrix.vstack(*blocks)
 
 
 def equation_28_P(printed: bool) -> Any:
     """All blocks of A^T P + P A but that of e, P of Eq. (28)."""
     A, _, KD, gamma = error_dynamics()
-    block = KD.inv() if printed else sympy.eye(2)
+    block = KD.inv() if printed else eye(2)
     P = sympy.diag(block, *[block / gamma] * 4) / 2
     Q = A.T * P + P * A
     return [*Q[:2, 2:], *Q[2:, 2:]]
@@ -178,8 +179,8 @@ def equation_28_P(printed: bool) -> Any:
 def output_injection(printed: bool) -> Any:
     """The first block of A + L C, L before Eq. (30), C = [I, 0]."""
     A, W, KD, gamma = error_dynamics()
-    L = (KD if printed else sympy.zeros(2, 2)).col_join(gamma * W)
-    return (A + L * sympy.eye(2).row_join(sympy.zeros(2, 8)))[:2, :2] + KD
+    L = (KD if printed else zeros(2, 2)).col_join(gamma * W)
+    return (A + L * eye(2).row_join(zeros(2, 8)))[:2, :2] + KD
 
 
 def hats(printed: bool) -> Any:
@@ -203,7 +204,7 @@ def gaussian(printed: bool) -> Any:
     record = block.array_record("output")
     phi = Symbols(record.operations, leaf, sizes=block.sizes).outputs(record)[0]
     log_phi = sympy.expand_log(sympy.log(phi), force=True)
-    return sympy.diff(log_phi, d, 2) + 1 / width**2
+    return diff(log_phi, d, 2) + 1 / width**2
 
 
 def converges_to(printed: bool) -> Any:
@@ -211,7 +212,7 @@ def converges_to(printed: bool) -> Any:
     paper = of_law("learned-flow")
     learned = paper.theta if printed else -paper.theta
     minimum = dict(zip(paper.alpha.flat, learned.flat, strict=True))
-    return [sympy.diff(paper.V, a).xreplace(minimum) for a in minimum]
+    return [diff(paper.V, a).xreplace(minimum) for a in minimum]
 
 
 def bounded_z(printed: bool) -> Any:

@@ -17,6 +17,7 @@ from typing import Any
 
 import numpy as np
 import sympy
+from sympy import Matrix, Symbol, cos, simplify, sin
 
 from ...base.arguments import public
 from ...base.errors import ClptError
@@ -311,16 +312,16 @@ def circle_step() -> Step:
     """
 
     def excites() -> tuple[bool, str]:
-        n, m = (sympy.Symbol(name, integer=True, nonnegative=True) for name in "nm")
-        a, q = sympy.Symbol("a", real=True), sympy.Symbol("q")
-        zc = sympy.Matrix([sympy.cos(a), sympy.sin(a)])
-        c, s = sympy.cos(2 * a), sympy.sin(2 * a)
-        doubled = zc * zc.T - sympy.Matrix([[1 + c, s], [s, 1 - c]]) / 2
+        n, m = (Symbol(name, integer=True, nonnegative=True) for name in "nm")
+        a, q = Symbol("a", real=True), Symbol("q")
+        zc = Matrix([cos(a), sin(a)])
+        c, s = cos(2 * a), sin(2 * a)
+        doubled = zc * zc.T - Matrix([[1 + c, s], [s, 1 - c]]) / 2
         geometric = (q**n - 1) / (q - 1)
         difference = geometric.subs(n, n + 1) - geometric - q**n
         closed = sympy.exp(4 * sympy.pi * sympy.I / (m + 3)) ** (m + 3) - 1
         below_a_turn = sympy.factor(1 - 2 / (m + 3))  # so q is not 1
-        zero = *sympy.simplify(doubled), sympy.simplify(difference), closed
+        zero = *simplify(doubled), simplify(difference), closed
         return not any(zero) and bool(below_a_turn.is_positive), (
             "zc zc^T = (r^2/2) (I + [[cos 2a, sin 2a], [sin 2a, -cos 2a]]), and sum exp(2 i a) is "
             "(q^n - 1)/(q - 1) = 0 with q = exp(4 pi i/n)"
