@@ -41,6 +41,7 @@ from .dives import (
     CONTRADICTS,
     LEAST_DEPTH,
     Dive,
+    DivesOrSkipped,
     Fix,
     Three,
     ThroughWater,
@@ -48,6 +49,7 @@ from .dives import (
     dive_between,
     fixes_in,
     planned_course,
+    usual_surfacing,
 )
 from .mission_files import dives_across_files, logged
 from .samples import (
@@ -176,17 +178,20 @@ def reconciled(
         return None, gps - now * duration, f"{note}: not used, that current is"
     if used == 0 or note:
         return path, end, note
-    note = "no file says whether the glider's dead reckoning holds a current of its own"
+    note = (
+        "no file says whether the glider's dead reckoning holds a current of its own, so that the "
+        "learned current may be 0. Give u_use_current_correction, m_water_vx and m_water_vy"
+    )
     if used == 1 or size > CONTRADICTS:
         return None, np.full(2, nan), f"{note}: not used"
     return path, end, note
 
 
-def dives_of(path: Path) -> list[Dive]:
+def dives_of(path: Path) -> DivesOrSkipped:
     """Return the dives that end in a file."""
     segment = read_segment(path)
     log = segment.of
-    of, dive_fixes = dives_across_files(
+    of, found, unknown = dives_across_files(
         path, log, lambda file: read_segment(file).of, _fixes_and_wet
     )
     fixes, _ = _fixes_and_wet(of)
@@ -195,11 +200,10 @@ def dives_of(path: Path) -> list[Dive]:
             f"{path}: the Slocum file has fixes and no m_depth, by which dives are found. Give "
             "files with m_depth, such as .dbd or .mbd, or a CSV table of dives"
         )
-    ends = set(log.index[log.m_gps_lat.notna()])
+    surfacing = usual_surfacing([fixes_of_dive for fixes_of_dive, _ in found])
     dives = [
-        _dive(of, segment, fixes_of_dive)
-        for fixes_of_dive in dive_fixes
-        if fixes_of_dive[2][0] in ends
+        _dive(of, segment, fixes_of_dive, surfacing, lost)
+        for fixes_of_dive, lost in found
     ]
     if len(dives) > 1:
         labels = [
@@ -208,7 +212,7 @@ def dives_of(path: Path) -> list[Dive]:
         dives = [
             replace(d, notes=(w, *d.notes)) for d, w in zip(dives, labels, strict=True)
         ]
-    return dives
+    return [*unknown, *dives]
 
 
 def _fixes_and_wet(of: pandas.DataFrame) -> tuple[list[Fix], np.ndarray]:
@@ -218,8 +222,13 @@ def _fixes_and_wet(of: pandas.DataFrame) -> tuple[list[Fix], np.ndarray]:
     return fixes_in(time, *map(degrees, coordinates)), wet
 
 
-def _dive(of: pandas.DataFrame, segment: Segment, fixes: Three) -> Dive:
-    """Make the dive between two fixes that is under water at some times."""
+def _dive(
+    of: pandas.DataFrame, segment: Segment, fixes: Three, surfacing: float, lost: str
+) -> Dive:
+    """Make the dive between two fixes that is under water at some times.
+
+    Rows that are `lost` leave its displacement unknown.
+    """
     _, start, end = fixes
     notes = list(segment.notes)
     east_of_north = _variation(of, start)
@@ -228,9 +237,10 @@ def _dive(of: pandas.DataFrame, segment: Segment, fixes: Three) -> Dive:
     wet = time[(depth > LEAST_DEPTH) | np.isnan(depth)]
     duration = end[0] - start[0]
     path, why = dead_reckoning(of, start, wet, east_of_north)
-    hole, large = hole_under_water(time - start[0], depth, duration)
-    notes.append(why or hole)
-    if large:
+    since = time - start[0]
+    hole, large = hole_under_water(since, (since, depth), duration, surfacing)
+    notes.append(lost or why or hole)
+    if large or lost:
         path = None
     currents = own_currents(of, wet[0], end[0], east_of_north)
     used = of.u_use_current_correction[: end[0]].ffill().iloc[-1]

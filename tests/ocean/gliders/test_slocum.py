@@ -83,7 +83,7 @@ def navigated(folder, rows, cut=""):
 
 
 @pytest.mark.parametrize(
-    ("heading", "declination"), [(0.0, 0.0), (73.0, 17.0), (350.0, -20.0)]
+    ("heading", "declination"), [(0.0, 1.0), (73.0, 17.0), (350.0, -20.0)]
 )
 def test_a_v_of_constant_slope_is_depth_over_tangent(tmp_path, heading, declination):
     """Down to 100 m and up at 20 degrees: 2 * 100 m/tan(20 deg) along heading + declination."""
