@@ -80,16 +80,16 @@ def dives_across_files(
 ) -> tuple[pandas.DataFrame, list[tuple[Three, str]], list[Skipped]]:
     """Return the dives that end in a file, whose log is `last`.
 
-    A log is a table by time, s since 1970.  Those of files before it are merged with it until a fix
-    stands before the first time under water; `fixes_and_wet` returns the fixes and these times.
+    A log is a table by time, s since 1970.  Those of files before it are merged with it until one
+    has a fix; `fixes_and_wet` returns the fixes and the times under water.
 
     Returns the merged log, the fixes of each dive with the reason why rows of it are lost, and a
     dive without a fix before it.
     """
     files, logs = [path], [last]
     for before in reversed(files_before(path)):
-        fixes, wet = fixes_and_wet(_merged(logs))
-        if fixes and (wet.size == 0 or fixes[0][0] <= wet[0]):
+        fixes, _ = fixes_and_wet(_merged(logs))
+        if fixes and fixes[0][0] < last.index.min():
             break
         with suppress(DataError):  # named where it is read for itself
             logs.insert(0, read(before))

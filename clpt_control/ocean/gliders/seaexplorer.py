@@ -39,7 +39,7 @@ from .dives import (
     usual_surfacing,
 )
 from .mission_files import dives_across_files, logged
-from .samples import PITCHES, deepest, degrees, summed, variation, within
+from .samples import DEEPEST, PITCHES, deepest, degrees, summed, variation, within
 from .text_table import table_of
 
 GZIP = b"\x1f\x8b"
@@ -126,6 +126,7 @@ def _log(text: str, path: Path) -> pandas.DataFrame:
     for name, limits in ANGLES.items():
         log[name], outside = within(log[name].to_numpy(float), limits)
         log[OUTSIDE] += outside
+    log["Depth"], _ = within(log["Depth"].to_numpy(float), (-LEAST_DEPTH, DEEPEST))
     log = log.set_axis(when.dt.total_seconds())[when.notna().to_numpy()]
     if log.empty:
         raise DataError(

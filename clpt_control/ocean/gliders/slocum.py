@@ -53,6 +53,7 @@ from .dives import (
 )
 from .mission_files import dives_across_files, logged
 from .samples import (
+    LARGEST_HOLE,
     LONGEST_GAP,
     SURFACE,
     deepest,
@@ -105,6 +106,8 @@ def dead_reckoning(
     speed = float(np.median(np.hypot(*np.diff(positions)) / np.diff(time)))
     path = np.hstack([np.zeros((3, 1)), [time - start[0], *positions]])
     remaining = wet[-1] - time[-1]
+    if remaining > max(LONGEST_GAP, LARGEST_HOLE * (wet[-1] - start[0])):
+        return None, f"no place for the last {remaining:.0f} s under water"
     if remaining > SHORT:
         log, heading = logged(rows_between(of, start[0], wet[-1] + SHORT), "m_heading")
         _, outside = within(np.degrees(heading), HEADINGS)

@@ -122,7 +122,7 @@ def usable(
             dive = noted(dive, f"{missing} dive(s) missing after dive {before.number}")
         used.append(dive)
     if used and not any(any(dive.through_water) for dive in used):
-        used[-1] = noted(used[-1], NO_WAY)
+        used = [noted(dive, NO_WAY) for dive in used]
     return used, skipped
 
 
