@@ -17,8 +17,9 @@ import pandas
 
 from ...base.errors import DataError
 from ...base.units import iso
-from .dives import LEAST_GAP, Fix, Skipped, Three, cut_dives
+from .dives import LEAST_GAP, Fix, Skipped, Three, cut_dives, usual_surfacing
 
+Hole = tuple[float, float, str]  # from when until when, and why
 BACK = 6  # files before one that are merged with it at most
 LEAST_FALL = 60.0  # s: a clock is set back by more, rows of two instruments by less
 MOST_FALLS = 5  # ; rows with more of them are not in order of time
@@ -96,56 +97,50 @@ def dives_across_files(
             files.insert(0, before)
     merged = _merged(logs)
     fixes, wet = fixes_and_wet(merged)
-    lost = [*_missing(files, logs), *_set_back(logs, wet)]
+    threes = cut_dives(fixes, wet)
+    merged.attrs["surfacing"] = usual_surfacing(threes)
+    holes = [*_between(files, logs), *_set_back(logs, wet)]
     dives = [
         (
             three,
-            next(
-                (why for a, b, why in lost if three[1][0] < b and three[2][0] > a), ""
+            "; ".join(
+                why for a, b, why in holes if three[1][0] < b and three[2][0] > a
             ),
         )
-        for three in cut_dives(fixes, wet)
+        for three in threes
         if three[2][0] in last.index
     ]
-    unknown = []
+    skipped = []
     if fixes and np.any(wet < fixes[0][0]) and fixes[0][0] in last.index:
         why = f"{path}: no fix before the dive that ends {iso(fixes[0][0])}. Give the files before"
-        unknown.append(Skipped(None, why))
-    return merged, dives, unknown
+        skipped.append(Skipped(None, why))
+    return merged, dives, skipped
 
 
-def _missing(
-    files: list[Path], logs: list[pandas.DataFrame]
-) -> Iterator[tuple[float, float, str]]:
-    """Yield from when until when files are missing between some, by their numbers, and which."""
+def _between(files: list[Path], logs: list[pandas.DataFrame]) -> Iterator[Hole]:
+    """Yield the times between files of which another is missing, by their numbers."""
     for (file, log), (after, log_after) in pairwise(zip(files, logs, strict=True)):
-        (_, order), (_, order_after) = _order(file), _order(after)
-        times = log.index.max(), log_after.index.min()
-        is_next = order[:-1] == order_after[:-1] and order_after[-1] == order[-1] + 1
-        if not is_next and order and times[1] - times[0] > LEAST_GAP:
-            why = f"no samples for {times[1] - times[0]:.0f} s: no file between {file.name} and "
-            yield *times, f"{why}{after.name}"
+        start, end = log.index.max(), log_after.index.min()
+        *others, last = _order(file)[1]
+        if end - start > LEAST_GAP and _order(after)[1] != [*others, last + 1]:
+            names = f"no file between {file.name} and {after.name}"
+            yield start, end, f"no samples for {end - start:.0f} s: {names}"
 
 
-def _set_back(
-    logs: list[pandas.DataFrame], wet: np.ndarray
-) -> Iterator[tuple[float, float, str]]:
-    """Yield from when until when rows go back in time under water, and by how much."""
+def _set_back(logs: list[pandas.DataFrame], wet: np.ndarray) -> Iterator[Hole]:
+    """Yield the times under water that rows have twice, because they go back."""
     rows = pandas.concat(logs).reset_index()
     time = rows[~rows.duplicated()].iloc[:, 0].to_numpy()
-    steps = np.diff(time)
-    # not those beside a single row of another time
-    largest = np.maximum(np.append(0.0, steps[:-1]), np.append(steps[1:], 0.0))
-    falls = np.flatnonzero((steps < -LEAST_FALL) & (largest < -steps))
-    for fall in falls if falls.size <= MOST_FALLS else ():
-        earlier, later = time[fall + 1], time[fall]
-        if np.any((wet >= earlier) & (wet <= later)):
-            why = f"rows go back in time by {later - earlier:.0f} s at {iso(later)}"
-            yield (
-                earlier,
-                later,
-                f"{why}: a clock was set back, or rows are out of order",
-            )
+    steps = np.diff(time, prepend=time[:1], append=time[-1:])
+    # not beside a single row of another time
+    falls = steps < -np.maximum(
+        LEAST_FALL, np.maximum(np.roll(steps, 1), np.roll(steps, -1))
+    )
+    for k in np.flatnonzero(falls) if falls.sum() <= MOST_FALLS else ():
+        if np.any((wet >= time[k]) & (wet <= time[k - 1])):
+            when = f"{-steps[k]:.0f} s at {iso(time[k - 1])}"
+            why = f"rows go back in time by {when}: a clock was set back, or rows are mixed"
+            yield time[k], time[k - 1], why
 
 
 def _merged(logs: list[pandas.DataFrame]) -> pandas.DataFrame:
@@ -161,21 +156,18 @@ def logged(log: pandas.DataFrame, *names: str) -> np.ndarray:
 
 def own_name(path: Path) -> str:
     """Return the name of a file by which it is ordered: that in a Slocum's header, else its own."""
-    if path.suffix.lower() not in SLOCUM_FILES:
-        return path.name
-    try:
-        state = path.stat()
-        words = _words_in_header(path, state.st_size, state.st_mtime_ns)
-    except OSError:
-        return path.name
-    return ".".join(words) if len(words) == 2 else path.name
+    if path.suffix.lower() in SLOCUM_FILES:
+        with suppress(OSError):
+            return _name_in_header(path, path.stat().st_mtime_ns)
+    return path.name
 
 
 @lru_cache(maxsize=4096)
-def _words_in_header(path: Path, _size: int, _changed: int) -> list[str]:
-    """Return `filename` and `filename_extension` in the header of a Slocum's file as it is now."""
+def _name_in_header(path: Path, _changed: int) -> str:
+    """Return the name in the header of a Slocum's file, as it is now; else its own."""
     with path.open("rb") as file:
-        return [word.decode() for word in HEADER.findall(file.read(HEADER_BYTES))]
+        words = HEADER.findall(file.read(HEADER_BYTES))
+    return b".".join(words).decode() if len(words) == 2 else path.name
 
 
 def _order(path: Path) -> tuple[str, list[int]]:

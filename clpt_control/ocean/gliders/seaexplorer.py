@@ -36,7 +36,6 @@ from .dives import (
     ThroughWater,
     dive_between,
     fixes_in,
-    usual_surfacing,
 )
 from .mission_files import dives_across_files, logged
 from .samples import DEEPEST, PITCHES, deepest, degrees, summed, variation, within
@@ -58,7 +57,6 @@ ANGLES = {
 OUTSIDE = "outside"  # angles of a row that are not within their limits
 AT_SURFACE = 116
 UNDER_WATER = (100, 117, 118)  # down, up, from one to the other
-NO_VARIATION = 1.0  # degrees: a whole Declination of 0
 LEAST_PITCH = 10.0  # degrees
 FASTEST = 1.5  # m/s
 
@@ -98,9 +96,8 @@ def dives_of(text: str, path: Path) -> DivesOrSkipped:
         raise DataError(f"{path}: no row with a fix (NavState {AT_SURFACE})")
     digits = [field for field in path.name.split(".") if field.isdecimal()]
     number = int(digits[-1]) if digits else 0
-    surfacing = usual_surfacing([fixes for fixes, _ in found])
     dives = [
-        _dive(log.loc[fixes[1][0] : fixes[2][0]], fixes, number, surfacing, lost)
+        _dive(log.loc[fixes[1][0] : fixes[2][0]], fixes, number, lost)
         for fixes, lost in found
     ]
     return [*unknown, *dives]
@@ -148,23 +145,18 @@ def _fixes_and_wet(log: pandas.DataFrame) -> tuple[list[Fix], np.ndarray]:
     return fixes_in(time, *map(degrees, coordinates)), log.index[wet].to_numpy()
 
 
-def _variation(log: pandas.DataFrame, start: Fix, end: Fix) -> tuple[float, str]:
-    """Return the variation of a dive, degrees east, and a note where the file has none."""
-    stated = log.Declination.dropna()
-    if (stated != 0).any():
-        return float(stated[stated != 0].median()), ""
+def _variation(log: pandas.DataFrame, start: Fix, end: Fix) -> tuple[float, list[str]]:
+    """Return the variation of a dive, degrees east, NaN if not known, and a note if of IGRF."""
+    stated = log.Declination[log.Declination != 0].median()
+    if isfinite(stated):
+        return stated, []
     igrf = variation(0.5 * (start[0] + end[0]), *start[1:])
-    if stated.size and abs(igrf) < NO_VARIATION:
-        return 0.0, ""
-    word = f"Declination is {'0' if stated.size else 'empty'}"
-    if not isfinite(igrf):
-        return 0.0, f"{word}: headings are taken as true"
-    return igrf, f"{word}: {igrf:.0f} degrees by IGRF (--variation gives another)"
+    return igrf, [
+        f"Declination is 0 or empty: {igrf:.0f} degrees by IGRF (--variation gives another)"
+    ]
 
 
-def _dive(
-    log: pandas.DataFrame, fixes: Three, number: int, surfacing: float, lost: str
-) -> Dive:
+def _dive(log: pandas.DataFrame, fixes: Three, number: int, lost: str) -> Dive:
     """Make a dive of its rows; rows that are `lost` leave its displacement unknown."""
     _, start, end = fixes
     steered = log.DesiredH.dropna()
@@ -184,7 +176,7 @@ def _dive(
             notes.append(
                 f"{wrong_angles} numbers of {', '.join(ANGLES)} are no angles: taken as gaps"
             )
-        notes += [doubt] if doubt else []
+        notes += doubt
         depths = logged(
             log.assign(Depth=log.Depth.mask(log.NavState == AT_SURFACE, 0)), "Depth"
         )

@@ -49,7 +49,6 @@ from .dives import (
     dive_between,
     fixes_in,
     planned_course,
-    usual_surfacing,
 )
 from .mission_files import dives_across_files, logged
 from .samples import (
@@ -203,11 +202,7 @@ def dives_of(path: Path) -> DivesOrSkipped:
             f"{path}: the Slocum file has fixes and no m_depth, by which dives are found. Give "
             "files with m_depth, such as .dbd or .mbd, or a CSV table of dives"
         )
-    surfacing = usual_surfacing([fixes_of_dive for fixes_of_dive, _ in found])
-    dives = [
-        _dive(of, segment, fixes_of_dive, surfacing, lost)
-        for fixes_of_dive, lost in found
-    ]
+    dives = [_dive(of, segment, fixes_of_dive, lost) for fixes_of_dive, lost in found]
     if len(dives) > 1:
         labels = [
             f"dive {k} of {len(dives)} in {path.name}" for k in range(1, len(dives) + 1)
@@ -225,9 +220,7 @@ def _fixes_and_wet(of: pandas.DataFrame) -> tuple[list[Fix], np.ndarray]:
     return fixes_in(time, *map(degrees, coordinates)), wet
 
 
-def _dive(
-    of: pandas.DataFrame, segment: Segment, fixes: Three, surfacing: float, lost: str
-) -> Dive:
+def _dive(of: pandas.DataFrame, segment: Segment, fixes: Three, lost: str) -> Dive:
     """Make the dive between two fixes that is under water at some times.
 
     Rows that are `lost` leave its displacement unknown.
@@ -241,7 +234,9 @@ def _dive(
     duration = end[0] - start[0]
     path, why = dead_reckoning(of, start, wet, east_of_north)
     since = time - start[0]
-    hole, large = hole_under_water(since, (since, depth), duration, surfacing)
+    hole, large = hole_under_water(
+        since, (since, depth), duration, of.attrs["surfacing"]
+    )
     notes.append(lost or why or hole)
     if large or lost:
         path = None
