@@ -177,14 +177,10 @@ def _dive(log: pandas.DataFrame, fixes: Three, number: int, lost: str) -> Dive:
                 f"{wrong_angles} numbers of {', '.join(ANGLES)} are no angles: taken as gaps"
             )
         notes += doubt
-        depths = logged(
-            log.assign(Depth=log.Depth.mask(log.NavState == AT_SURFACE, 0)), "Depth"
-        )
-        depths[0] -= start[0]
-        since, duration = time - start[0], end[0] - start[0]
-        reckoned = summed(
-            since, steps, (depths[0], depths[1]), duration, surfacing, notes
-        )
+        afloat = log.Depth.mask(log.NavState == AT_SURFACE, 0.0).dropna()
+        depths = afloat.index - start[0], afloat.to_numpy()
+        span = end[0] - start[0], log.attrs["surfacing"]
+        reckoned = summed(time - start[0], steps, depths, *span, notes)
         reckoned = reckoned._replace(turned=east_of_north)
     return dive_between(
         number,
