@@ -11,21 +11,25 @@ the scatter of d and T (d by the learned speed and compass), as wide as their ow
 Hours are counted from now: from the clock where it is at most `RECENT` after the end of the
 last dive, else from that end, as for a record of years ago.
 
-The last dives of a vehicle, and the plan in their files, tell of the next one.  It is guessed
-`PLANNED`, along the course that the last file holds, as long and as quick as the last dives were,
-or `REPEATED`, as the last dive went: by what has scattered less.  A guess has a direction, a
-length L and a duration T.  What comes is, in its measure,
+The last dives of a vehicle, and the plan in their files, tell of the next one.  Its velocity v
+through the water is guessed `PLANNED`, along the course that the last file holds at the usual speed
+V, or `REPEATED`, that of the last dive; its duration T as `LAST` or `USUAL`: by what has scattered
+less.  V and the usual duration are medians of the last `RECENT_DIVES`.  What comes is
 
-    z = (along / L, to its left / L, log(duration / T)).
+    z = (way / duration - v) / V, along v and to its left;    z = log(duration / T)
 
-Of N dives, each counting 0.95 of the one after it, z has mean m and covariance S, behind a prior
-c, S0 that counts as much as k dives for the one and n for the other:
+so that a dive of another length, or of no way, is no change of speed.  Of N dives, each counting
+0.95 of the one after it, z (d,) has centre m and scatter S of Student's t, nu = `HEAVY`, so that
+a single odd dive says little.  A prior 0, S0 counts as much as k dives for m and n for S:
 
-    m = (k c + sum z) / (k + N)
-    S = (n S0 + k c c^T + sum z z^T - (k + N) m m^T) / (n + N) (1 + 1 / (k + N))
+    u = (nu + d) / (nu + (z - m)^T S^-1 (z - m))
+    m = sum u z / (k + sum u)
+    S = (n S0 + k m m^T + sum u (z - m) (z - m)^T) / (n + N), of the next dive times 1 + 1 / (k + N)
 
-So few dives say little, and a share p, `LEVEL`, of what comes lies within
-n' ((1 - p)^(-2/n') - 1) of its covariance, n' = n + N (normal: -2 ln(1 - p)).
+(K. L. Lange, R. J. A. Little, J. M. G. Taylor, "Robust statistical modeling using the t
+distribution", J. Am. Stat. Assoc. 84, 881-896, 1989).  No guess is faster than the fastest dive.
+Few dives say little: a share p, `LEVEL`, of what comes lies within n' ((1 - p)^(-2/n') - 1) of its
+covariance, n' = n + N (normal: -2 ln(1 - p)).
 
 How often a headline holds is counted.  The width of the next one is that of the last one
 
@@ -73,14 +77,18 @@ from .table_rows import (
     vector,
 )
 
-CENTRE = np.array([1.0, 0.0, 0.0])  # c
+LAST, USUAL = "last", "usual"  # durations
 # standard deviations of S0
-SPREAD = {PLANNED: (0.25, 0.25, 0.2), REPEATED: (0.25, 0.3, 0.2)}
+SPREAD = {PLANNED: (0.25, 0.25), REPEATED: (0.25, 0.3), LAST: (0.2,), USUAL: (0.2,)}
 MEANS, SPREADS = 2.0, 3.0  # dives that a prior counts as: k and n
 FADING = 0.95  # of what a dive counts, at the next one
+RECALLED = 60  # dives; older ones count less than 0.05
+RECENT_DIVES = 5  # dives whose medians are usual
+HEAVY = 10.0  # nu
+ROUNDS = 20  # of the iteration for m and S
 OFF_SPEED, OFF_COURSE = 0.1, 0.17  # of a given dive: standard deviations, share and rad
 STAY, DRIFT = 600.0, 200.0  # s, m: standard deviations before any dive
-LEAST = 1.0  # m of a guess
+LEAST = 1e-3  # m/s of a guess
 RATE, WIDEST = 0.3, 5.0  # of the width by its own record
 NARROWEST = 0.5 ** (10.0 - 10.0 * LEVEL)  # 0.5 at 90 %
 SHORTEST_STAY = 60.0  # s; a fix of 4 m makes more than 0.1 m/s of less
@@ -150,67 +158,89 @@ class Guess(NamedTuple):
         )
 
 
-def moments(evidence: np.ndarray, name: str) -> tuple[np.ndarray, np.ndarray, float]:
-    """Return m (3,), S (3, 3) and n + N by the sum of (1, z) (1, z)^T of the dives for a guess."""
-    dives = evidence[0, 0]
-    k = MEANS + dives
-    m = (MEANS * CENTRE + evidence[0, 1:]) / k
-    scatter = SPREADS * np.diag(SPREAD[name]) ** 2 + evidence[1:, 1:]
-    scatter = scatter + MEANS * np.outer(CENTRE, CENTRE)
-    freedom = SPREADS + dives
-    return m, (scatter - k * np.outer(m, m)) / freedom * (1.0 + 1.0 / k), freedom
+def moments(rows: np.ndarray, name: str) -> tuple[np.ndarray, np.ndarray, float]:
+    """Return m (d,), S (d, d) and n + N of a guess by the z of the dives, (N, d), in order."""
+    counts = FADING ** np.arange(len(rows))[::-1]
+    dives = float(counts.sum())
+    prior = np.diag(SPREAD[name]) ** 2
+    m = np.zeros(len(prior))
+    S = prior
+    for _ in range(ROUNDS):
+        away = np.sum((rows - m) * np.linalg.solve(S, (rows - m).T).T, axis=1)
+        weights = counts * (HEAVY + m.size) / (HEAVY + away)
+        m = weights @ rows / (MEANS + weights.sum())
+        off = rows - m
+        scatter = SPREADS * prior + MEANS * np.outer(m, m) + (weights * off.T) @ off
+        S = scatter / (SPREADS + dives)
+    return m, S * (1.0 + 1.0 / (MEANS + dives)), SPREADS + dives
 
 
 class DiveStatistics:
     """Statistics of a vehicle's dives, updated dive by dive; `last` is the last dive.
 
-    `means` are sums of 1, length and log duration, `drifts` of 1, east, north and their square,
-    `evidence` those of `moments` for each guess.
-    `width` is how many times wider the next headline's place and time are by its record.
+    `recent` are speed (m/s) and log duration of the last dives, `fastest` is the greatest speed
+    through the water, `drifts` sums of 1, east, north and their square, `evidence` the z of each
+    guess.  `width` is how many times wider the next headline's place and time are by its record.
     """
 
     def __init__(self) -> None:
         self.last: Dive | None = None
-        self.evidence = dict.fromkeys(SPREAD, np.zeros((4, 4)))
-        self.means = np.zeros(3)
+        self.evidence = {name: np.zeros((0, len(SPREAD[name]))) for name in SPREAD}
+        self.recent = np.zeros((0, 2))
+        self.fastest = 0.0
         self.drifts = np.zeros(4)
         self.stays: list[float] = []
         self.width: tuple[float, ...] = (1.0, 1.0)
 
-    def _frames(self, last: Dive) -> dict[str, tuple[np.ndarray, float]]:
-        """Return, for each guess, the matrix from z to m, (3, 3), and the log of its duration."""
-        frames = {REPEATED: (_frame(*last.through_water), log(last.duration))}
+    def _velocities(self, last: Dive) -> dict[str, np.ndarray]:
+        """Return the velocity through the water of each guess, (2,), m/s."""
+        velocities = {REPEATED: np.array(last.through_water) / last.duration}
         if last.next_course is not None and has_course(last):
-            usual, usually = self.means[1:] / self.means[0]  # length, log duration
             course = radians(last.next_course)
-            length = max(usual, LEAST)
-            frames[PLANNED] = (
-                _frame(length * sin(course), length * cos(course)),
-                usually,
-            )
-        return frames
+            speed = np.median(self.recent[:, 0])
+            velocities[PLANNED] = speed * np.array([sin(course), cos(course)])
+        return velocities
+
+    def _lengths(self) -> dict[str, float]:
+        """Return the logarithm of the duration of each guess."""
+        return {USUAL: np.median(self.recent[:, 1]), LAST: self.recent[-1, 1]}
+
+    def _frame(self, velocity: np.ndarray) -> np.ndarray:
+        """Return the matrix from z to velocity, (2, 2), m/s."""
+        B = _frame(*velocity)
+        return B * max(np.median(self.recent[:, 0]), LEAST) / hypot(*B[:, 0])
+
+    def _duration(self) -> tuple[float, float]:
+        """Return the less scattered guess of a duration, s, behind the variance of its log."""
+        found = []
+        for name, length in self._lengths().items():
+            m, S, _ = moments(self.evidence[name], name)
+            found.append((S.item(), exp(length + m.item())))
+        return min(found, key=itemgetter(0))
 
     def guess(self) -> Guess:
         """Return the next dive, of one dive at least."""
         assert self.last is not None
         candidates = []
-        for name, (B, log_time) in self._frames(self.last).items():
+        late, T = self._duration()
+        for name, velocity in self._velocities(self.last).items():
             m, S, freedom = moments(self.evidence[name], name)
-            mean = B @ m
-            scatter = B @ S @ B.T
-            guess = Guess(mean[:2], exp(mean[2] + log_time), scatter, freedom, name)
+            B = T * self._frame(velocity)
+            way = T * velocity + B @ m
+            way *= min(1.0, T * self.fastest / max(hypot(*way), LEAST))
+            scatter = _with_time(B @ S @ B.T, way, late)
+            guess = Guess(way, T, scatter, freedom, name)
             candidates.append((float(np.trace(scatter[:2, :2])), guess))
         return min(candidates, key=itemgetter(0))[1]
 
     def guess_of(self, displacement: tuple[float, float], duration: float) -> Guess:
         """Return a dive of a given displacement (m) and duration (s) with its scatter."""
-        # of one dive, not of two
-        _, repeated, freedom = moments(self.evidence[REPEATED], REPEATED)
-        late = repeated[2, 2] / 2
+        *_, freedom = moments(self.evidence[REPEATED], REPEATED)
         B = _frame(*displacement)
-        S = np.diag([OFF_SPEED**2 + late, OFF_COURSE**2, late])
-        S[0, 2] = S[2, 0] = late
-        return Guess(np.array(displacement), duration, B @ S @ B.T, freedom, GIVEN)
+        way = np.array(displacement)
+        S = B @ np.diag([OFF_SPEED, OFF_COURSE]) ** 2 @ B.T
+        scatter = _with_time(S, way, self._duration()[0])
+        return Guess(way, duration, scatter, freedom, GIVEN)
 
     def stay(self) -> tuple[float, float]:
         """Return how long the vehicle stays up, s: median and standard deviation about it."""
@@ -234,13 +264,16 @@ class DiveStatistics:
 
         Nothing that could be changed in place is: a copy of this needs no depth.
         """
-        came = np.array([*dive.through_water, log(dive.duration)])
+        velocity = np.array(dive.through_water) / dive.duration
         if self.last is not None:
-            for name, (B, log_time) in self._frames(self.last).items():
-                z = np.linalg.solve(B, came - (0.0, 0.0, log_time))
-                row = np.append(1.0, z)
-                faded = FADING * self.evidence[name]
-                self.evidence[name] = faded + np.outer(row, row)
+            came = {
+                name: np.linalg.solve(self._frame(guessed), velocity - guessed)
+                for name, guessed in self._velocities(self.last).items()
+            }
+            for name, length in self._lengths().items():
+                came[name] = np.array([log(dive.duration) - length])
+            for name, z in came.items():
+                self.evidence[name] = np.vstack([self.evidence[name], z])[-RECALLED:]
         if surface_drift is not None:
             size = surface_drift.east**2 + surface_drift.north**2
             self.drifts = FADING * self.drifts + (
@@ -256,19 +289,30 @@ class DiveStatistics:
                 for w, inside in zip(self.width, was_inside, strict=True)
             )
             self.width = tuple(min(max(width, NARROWEST), WIDEST) for width in wider)
-        self.means = FADING * self.means + (1.0, hypot(*came[:2]), came[2])
+        row = hypot(*velocity), log(dive.duration)
+        self.recent = np.vstack([self.recent, row])[-RECENT_DIVES:]
+        self.fastest = max(self.fastest, row[0])
         self.last = dive
 
 
 def _frame(east: float, north: float) -> np.ndarray:
-    """Return the matrix from (along, to the left, log duration) to (m east, m north, the same).
+    """Return the matrix from (along, to the left) to (east, north).
 
-    Along a way, m, which is taken as `LEAST` to the north where it is shorter.
+    Along a way or a velocity, which is taken as `LEAST` to the north where it is shorter.
     """
     if hypot(east, north) <= LEAST:
         east = 0.0
         north = LEAST
-    return np.array([[east, -north, 0.0], [north, east, 0.0], [0.0, 0.0, 1.0]])
+    return np.array([[east, -north], [north, east]])
+
+
+def _with_time(S: np.ndarray, way: np.ndarray, late: float) -> np.ndarray:
+    """Return the covariance (3, 3) of a way (2,) and log duration by that at one duration (2, 2).
+
+    A dive that is longer by a share goes farther by that share, of the variance `late`.
+    """
+    both = np.append(way, 1.0)
+    return np.pad(S, (0, 1)) + late * np.outer(both, both)
 
 
 def ellipse(covariance: np.ndarray) -> dict[str, float]:

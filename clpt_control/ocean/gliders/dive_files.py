@@ -31,7 +31,7 @@ from .dive_fields import name_of
 from .dive_table import table_dives
 from .dives import Dive, DivesAndSkipped, Skipped
 from .log_rows import STAYS
-from .mission_files import SEAEXPLORER, SLOCUM, SLOCUM_FILES, in_order
+from .mission_files import SEAEXPLORER, SLOCUM, SLOCUM_FILES, in_order, own_name
 from .text_table import SUFFIXES
 from .usable_dives import LEAST_DURATION
 from .vehicle_log import NO_MOTION, is_log
@@ -113,7 +113,7 @@ def read_dive_file(path: AnyPath) -> DivesAndSkipped:
         raise DataError(f"{path}: is empty. Give one of {KINDS}")
     if raw in NETCDF:
         return _dives_and_skipped(*_of_netcdf(path))
-    name = name_of_file(path.name)
+    name = name_of_file(own_name(path))
     if raw == slocum.MAGIC or slocum.MAGIC in raw[3:9]:
         # the first letters of a compressed block
         return _dives_and_skipped(slocum.dives_of(path), name, "Slocum")
@@ -299,7 +299,7 @@ def read_all_dives(paths: AnyPath | Iterable[AnyPath]) -> DivesAndSkipped:
             continue
         read.append((file, file_dives))
         skipped += file_skipped
-    skipped += grouped(faults, "files")
+    skipped = [*grouped(faults, "files"), *skipped]
     if dives := named_by_file(read):
         return dives, skipped
     if len(skipped) == len(files) == 1:

@@ -331,6 +331,19 @@ def cut_dives(fixes: Sequence[Fix], wet: np.ndarray | None) -> list[Three]:
     return dives
 
 
+def usual_surfacing(dives: Sequence[Three]) -> float:
+    """Return how long a vehicle usually stays up, from its first to its last fix, s.
+
+    At least `LEAST_GAP`.
+
+    >>> fixes = [(time, 43.0, 8.0) for time in (0.0, 900.0, 8000.0)]
+    >>> usual_surfacing([tuple(fixes)]), usual_surfacing([(None, *fixes[1:])])
+    (900.0, 300.0)
+    """
+    stays = [start[0] - first[0] for first, start, _ in dives if first is not None]
+    return max(LEAST_GAP, float(np.median(stays or [0.0])))
+
+
 def planned_course(
     fix: Fix, target: Sequence[float], reached: float = 0.0
 ) -> float | None:

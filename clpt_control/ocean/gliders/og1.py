@@ -46,6 +46,7 @@ from .dives import (
     ThroughWater,
     cut_dives,
     dive_between,
+    usual_surfacing,
     without_current,
 )
 from .og1_columns import (
@@ -74,7 +75,7 @@ def through_water(
     rows: pandas.DataFrame, start: Fix, end: Fix, current: Pair
 ) -> ThroughWater:
     """Return the displacement through the water of one dive from its rows, by time."""
-    reckoned = _summed(rows, start, end)
+    reckoned = _summed(rows, rows, start, end)
     steps = rows.attrs["steps"]
     if reckoned is not None and steps.upper().endswith("_GSM"):
         note = f"dead reckoning of the glide-slope model ({steps})"
@@ -116,7 +117,7 @@ def _along_heading(rows: pandas.DataFrame, start: Fix, end: Fix) -> ThroughWater
     step = steered.speed * steered.time.diff().fillna(0.0)
     heading = np.radians(steered.heading + (turned or 0.0))
     flown = steered.assign(east=step * np.sin(heading), north=step * np.cos(heading))
-    reckoned = _summed(flown.dropna(subset="east"), start, end)
+    reckoned = _summed(flown.dropna(subset="east"), rows, start, end)
     if reckoned is None or not isfinite(reckoned.total[0]):
         return reckoned
     note = f"dead reckoning of the flight model's speed and the heading, {north}"
@@ -151,8 +152,13 @@ def _variation_of(
     )
 
 
-def _summed(rows: pandas.DataFrame, start: Fix, end: Fix) -> ThroughWater | None:
-    """Sum the steps east and north of a dive; None where it has none."""
+def _summed(
+    rows: pandas.DataFrame, every: pandas.DataFrame, start: Fix, end: Fix
+) -> ThroughWater | None:
+    """Sum the steps east and north of a dive's rows; None where it has none.
+
+    `every` has all rows of the dive, with their depths.
+    """
     with_step = rows.dropna(subset=["east", "north"])
     if with_step.empty:
         return None
@@ -172,7 +178,8 @@ def _summed(rows: pandas.DataFrame, start: Fix, end: Fix) -> ThroughWater | None
     rows = rows[~again]
     since = (rows.time - start[0]).to_numpy()
     steps = rows[["east", "north"]].to_numpy().T
-    return summed(since, steps, rows.depth.to_numpy(), duration, notes)
+    depths = (every.time - start[0]).to_numpy(), every.depth.to_numpy()
+    return summed(since, steps, depths, duration, every.attrs["surfacing"], notes)
 
 
 def _spanning(rows: pandas.DataFrame, with_step: pandas.DataFrame) -> bool:
@@ -199,6 +206,7 @@ def dives_of(data: xarray.Dataset, _path: Path) -> DivesOrSkipped:
     under = np.sort(of.time[of.wet].dropna())
     dive_fixes = cut_dives(fixes, under) or cut_dives(fixes, None)
     dives: DivesOrSkipped = []
+    of.attrs["surfacing"] = usual_surfacing(dive_fixes)
     dated_currents = of.attrs["own_currents"]
     currents = currents_of(
         [(start, end) for _, start, end in dive_fixes], dated_currents
@@ -231,6 +239,7 @@ def _of_segments(
 ) -> DivesOrSkipped:
     """Return the dives of segments with a measurement under water, and the others."""
     dives: DivesOrSkipped = []
+    of.attrs["surfacing"] = usual_surfacing([])
     for count, (start, end, notes) in enumerate(segments, 1):
         inside = _rows_between(of, start, end)
         if isfinite(start[0]) and not inside.wet.any():

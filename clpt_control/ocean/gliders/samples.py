@@ -45,8 +45,9 @@ from ...base.units import (
 from ...paper.currents.cf_times import decoded
 from ...paper.currents.flags import IS_FLAG, said, without_flagged
 from .dive_fields import FILLS, FILLS_OF, HEADINGS, TURNS, VARIATIONS, size_of_unit
-from .dives import FASTEST, Dive, ThroughWater, Track
+from .dives import FASTEST, LEAST_DEPTH, LEAST_GAP, Dive, ThroughWater, Track
 
+Pairs = tuple[np.ndarray, np.ndarray]  # times and numbers
 PLACES = ("TIME", "LATITUDE", "LONGITUDE")
 PLACE = ("lat", "lon")
 HEADING = ("HEADING", "GLIDER_HEADING", "ENG_HEAD")
@@ -61,7 +62,8 @@ ENDLESS = 2.0**63  # its negative, the smallest integer of 64 bits, is a missing
 LONGEST_SINGLE = (
     8e7  # s; single precision counts times so long after a date by some 10 s
 )
-SURFACE = 20.0  # m: a vehicle last seen above needs no samples until its fix
+SURFACE = 20.0  # m: above, a vehicle may be on its way to the surface or from it
+LONGEST_WAIT = 3600.0  # s that a vehicle at the surface may wait for a fix
 LARGEST_HOLE = 0.1  # share of a dive that may be without samples under water
 LONGEST_GAP = 900.0  # s between samples that is mentioned
 LONGEST_STEP = 100.0  # m, beyond what is possible at 5 m/s
@@ -311,44 +313,62 @@ def track_of(path: np.ndarray, duration: float) -> Track:
 
 
 def hole_under_water(
-    since: np.ndarray, depth: np.ndarray, duration: float
+    since: np.ndarray, depths: Pairs, duration: float, surfacing: float
 ) -> tuple[str, bool]:
     """Return which part of a dive lacks samples, empty where it is short; if it is over a tenth.
 
-    At the surface, before its first sample and after its last, a vehicle has no
-    displacement through the water to sum.  A depth that is not known counts as deep.
+    `depths` are times and numbers of the depth's own rows, which may be others than those of the
+    samples, at `since`, s.  At the surface a vehicle has no displacement through the water to sum.
+    It is there between two depths of at most `SURFACE` if that is no longer than its usual
+    `surfacing`; of two under water, than the shortest dive; from the surface to a fix, than
+    `LONGEST_WAIT`.  Else there may be a dive between them.  A depth that is not known counts as
+    deep.
 
     >>> since = np.array([50.0, 400.0, 800.0])
-    >>> hole_under_water(since, np.array([1.0, 90.0, 3.0]), 4000.0)
+    >>> hole_under_water(since, (since, np.array([1.0, 90.0, 3.0])), 4000.0, 600.0)
     ('', False)
-    >>> hole_under_water(since, np.array([1.0, 40.0, 90.0]), 4000.0)
+    >>> hole_under_water(since, (since, np.array([1.0, 40.0, 90.0])), 4000.0, 600.0)
     ('no samples for 3200 s of 4000 s, from 90 m depth on', True)
+    >>> hole_under_water(since, (since, np.array([1.0, 90.0, 12.0])), 4000.0, 600.0)
+    ('no samples for 3200 s of 4000 s', True)
     """
-    times = np.concatenate([[0.0], since, [duration]])
-    depths = np.concatenate([[0.0], depth, [0.0]])
-    holes = np.diff(times)
-    surface = np.maximum(depths[:-1], depths[1:]) <= SURFACE  # False where not known
-    holes[surface] = 0.0
+    is_known = np.isfinite(depths[1])
+    ends = np.array([0.0, duration])
+    times = np.unique(np.concatenate([ends, since, depths[0][is_known]]))
+    depth = np.full(times.size, nan)
+    depth[np.searchsorted(times, depths[0][is_known])] = depths[1][is_known]
+    depth[np.searchsorted(times, ends)] = 0.0
+    rests = np.diff(times)
+    upper = np.minimum(depth[:-1], depth[1:])
+    lower = np.maximum(depth[:-1], depth[1:])
+    longest_rest = np.where(upper <= LEAST_DEPTH, surfacing, LEAST_GAP)
+    longest_rest[[0, -1]] = np.where(lower <= LEAST_DEPTH, LONGEST_WAIT, surfacing)[
+        [0, -1]
+    ]
+    rests[(lower <= SURFACE) & (rests <= longest_rest)] = 0.0  # False where not known
+    samples = np.searchsorted(times, np.union1d(since, ends))
+    holes = np.diff(np.append(0.0, np.cumsum(rests))[samples])
     longest = int(np.argmax(holes))
     large = bool(holes[longest] > LARGEST_HOLE * duration)
     if not (large or holes[longest] > LONGEST_GAP):
         return "", False
     hole = f"no samples for {holes[longest]:.0f} s of {duration:.0f} s"
-    if depths[longest] > SURFACE:
-        hole += f", from {depths[longest]:.0f} m depth on"
+    if (deep := depth[samples[longest]]) > SURFACE:
+        hole += f", from {deep:.0f} m depth on"
     return hole, large
 
 
 def summed(
     since: np.ndarray,
     steps: np.ndarray,
-    depth: np.ndarray,
+    depths: Pairs,
     duration: float,
+    surfacing: float,
     notes: Sequence[str],
 ) -> ThroughWater:
     """Sum steps east and north (m) at times since the fix before the dive (s).
 
-    Unless samples are missing.
+    Unless samples are missing (`hole_under_water`).
     """
     notes, length = list(notes), np.hypot(*steps)
     most = FASTEST * np.abs(np.diff(since, prepend=0.0)) + LONGEST_STEP
@@ -362,7 +382,7 @@ def summed(
             return ThroughWater(notes=[*notes, note])
         steps = np.array([fill(since, component, bad) for component in steps])
         notes.append(f"{note}, filled from their neighbours' speed")
-    hole, large = hole_under_water(since, depth, duration)
+    hole, large = hole_under_water(since, depths, duration, surfacing)
     notes += [hole] if hole else []
     if large:
         return ThroughWater(notes=notes)

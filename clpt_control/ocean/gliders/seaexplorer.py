@@ -2,7 +2,8 @@
 
 A text of columns between `;`: Timestamp (day/month/year), NavState, Heading and Declination
 (degrees, their sum from true north), Pitch (degrees, nose up), Depth (m), Lat and Lon
-in ddmm.mmm.  A fix is a place that is new where NavState is 116, at the surface.
+in ddmm.mmm.  A fix is a place that is new where NavState is 116, at the surface.  A Declination
+of 0 in a whole dive, or none, is not known: IGRF's is taken.
 
 A dive lies between two fixes with a depth of more than 5 m between them.  It often ends in the
 file after that in which it began (`mission_files`).  The vehicle flies along its nose,
@@ -17,6 +18,7 @@ The plan of the next dive is the last DesiredH (degrees), taken from true north.
 """
 
 import zlib
+from math import isfinite
 from pathlib import Path
 
 import numpy as np
@@ -25,9 +27,18 @@ import pandas
 from ...base.errors import DataError
 from ...base.files.reading import LARGEST, read_bytes, text_of
 from .dive_fields import HEADINGS, VARIATIONS
-from .dives import LEAST_DEPTH, Dive, Fix, Three, ThroughWater, dive_between, fixes_in
+from .dives import (
+    LEAST_DEPTH,
+    Dive,
+    DivesOrSkipped,
+    Fix,
+    Three,
+    ThroughWater,
+    dive_between,
+    fixes_in,
+)
 from .mission_files import dives_across_files, logged
-from .samples import PITCHES, deepest, degrees, summed, within
+from .samples import DEEPEST, PITCHES, deepest, degrees, summed, variation, within
 from .text_table import table_of
 
 GZIP = b"\x1f\x8b"
@@ -45,6 +56,7 @@ ANGLES = {
 }
 OUTSIDE = "outside"  # angles of a row that are not within their limits
 AT_SURFACE = 116
+UNDER_WATER = (100, 117, 118)  # down, up, from one to the other
 LEAST_PITCH = 10.0  # degrees
 FASTEST = 1.5  # m/s
 
@@ -59,32 +71,36 @@ def text_in(raw: bytes, path: Path, no_text: str = "no text") -> str:
     """Return the text of a file, of a .gz as far as it is whole."""
     if not raw.startswith(GZIP):
         return text_of(raw, path, no_text)
-    try:
-        plain = zlib.decompressobj(31).decompress(raw, LARGEST)
-    except zlib.error:
-        raise DataError(f"{path}: its gzip is damaged") from None
+    plain = b""
+    while raw.strip(b"\0") and len(plain) < LARGEST:  # members (RFC 1952)
+        member = zlib.decompressobj(31)
+        try:
+            plain += member.decompress(raw, LARGEST - len(plain))
+        except zlib.error:
+            raise DataError(f"{path}: its gzip is damaged") from None
+        raw = member.unused_data
     return text_of(
         plain, path, "is a gzip of no text; must be a SeaExplorer's .gli file"
     )
 
 
-def dives_of(text: str, path: Path) -> list[Dive]:
+def dives_of(text: str, path: Path) -> DivesOrSkipped:
     """Return the dives that end in a file."""
 
     def read(before: Path) -> pandas.DataFrame:
         return _log(text_in(read_bytes(before), before), before)
 
     last = _log(text, path)
-    log, dive_fixes = dives_across_files(path, last, read, _fixes_and_wet)
+    log, found, unknown = dives_across_files(path, last, read, _fixes_and_wet)
     if not _fixes_and_wet(log)[0]:
         raise DataError(f"{path}: no row with a fix (NavState {AT_SURFACE})")
     digits = [field for field in path.name.split(".") if field.isdecimal()]
     number = int(digits[-1]) if digits else 0
-    return [
-        _dive(log.loc[fixes[1][0] : fixes[2][0]], fixes, number)
-        for fixes in dive_fixes
-        if fixes[2][0] >= last.index.min()
+    dives = [
+        _dive(log.loc[fixes[1][0] : fixes[2][0]], fixes, number, lost)
+        for fixes, lost in found
     ]
+    return [*unknown, *dives]
 
 
 def _log(text: str, path: Path) -> pandas.DataFrame:
@@ -107,6 +123,7 @@ def _log(text: str, path: Path) -> pandas.DataFrame:
     for name, limits in ANGLES.items():
         log[name], outside = within(log[name].to_numpy(float), limits)
         log[OUTSIDE] += outside
+    log["Depth"], _ = within(log["Depth"].to_numpy(float), (-LEAST_DEPTH, DEEPEST))
     log = log.set_axis(when.dt.total_seconds())[when.notna().to_numpy()]
     if log.empty:
         raise DataError(
@@ -122,21 +139,33 @@ def _fixes_and_wet(log: pandas.DataFrame) -> tuple[list[Fix], np.ndarray]:
         log.index > log.index[0]
     )
     time, *coordinates = logged(log[afloat & new], "Lat", "Lon")
-    return fixes_in(time, *map(degrees, coordinates)), log.index[
-        log.Depth > LEAST_DEPTH
-    ].to_numpy()
+    wet = (log.Depth > LEAST_DEPTH) | (
+        log.Depth.isna() & log.NavState.isin(UNDER_WATER)
+    )
+    return fixes_in(time, *map(degrees, coordinates)), log.index[wet].to_numpy()
 
 
-def _dive(log: pandas.DataFrame, fixes: Three, number: int) -> Dive:
+def _variation(log: pandas.DataFrame, start: Fix, end: Fix) -> tuple[float, list[str]]:
+    """Return the variation of a dive, degrees east, NaN if not known, and a note if of IGRF."""
+    stated = log.Declination[log.Declination != 0].median()
+    if isfinite(stated):
+        return stated, []
+    igrf = variation(0.5 * (start[0] + end[0]), *start[1:])
+    return igrf, [
+        f"Declination is 0 or empty: {igrf:.0f} degrees by IGRF (--variation gives another)"
+    ]
+
+
+def _dive(log: pandas.DataFrame, fixes: Three, number: int, lost: str) -> Dive:
+    """Make a dive of its rows; rows that are `lost` leave its displacement unknown."""
     _, start, end = fixes
     steered = log.DesiredH.dropna()
-    time, heading, declination, pitch, depth = logged(
-        log, "Heading", "Declination", "Pitch", "Depth"
-    )
-    reckoned = ThroughWater(notes=["no samples"])
-    if time.size > 2:
+    east_of_north, doubt = _variation(log, start, end)
+    time, heading, pitch, depth = logged(log, "Heading", "Pitch", "Depth")
+    reckoned = ThroughWater(notes=[lost or "no samples"])
+    if time.size > 2 and not lost:
         nose = np.radians(pitch)
-        true = np.radians(heading + declination)
+        true = np.radians(heading + east_of_north)
         with np.errstate(divide="ignore", invalid="ignore"):
             speed = -np.gradient(depth, time) / np.tan(nose)
         flies = (np.abs(pitch) > LEAST_PITCH) & (speed > 0) & (speed < FASTEST)
@@ -147,12 +176,17 @@ def _dive(log: pandas.DataFrame, fixes: Three, number: int) -> Dive:
             notes.append(
                 f"{wrong_angles} numbers of {', '.join(ANGLES)} are no angles: taken as gaps"
             )
-        reckoned = summed(time - start[0], steps, depth, end[0] - start[0], notes)
+        notes += doubt
+        afloat = log.Depth.mask(log.NavState == AT_SURFACE, 0.0).dropna()
+        depths = afloat.index - start[0], afloat.to_numpy()
+        span = end[0] - start[0], log.attrs["surfacing"]
+        reckoned = summed(time - start[0], steps, depths, *span, notes)
+        reckoned = reckoned._replace(turned=east_of_north)
     return dive_between(
         number,
         fixes,
         reckoned,
-        magvar=float(np.median(declination)) if declination.size else None,
+        magvar=east_of_north,
         depth_max=deepest(depth),
         next_course=steered.iloc[-1].item() % 360.0 if steered.size else None,
         notes=tuple(reckoned.notes),

@@ -41,6 +41,7 @@ from .dives import (
     dive_between,
     is_fix,
     planned_course,
+    usual_surfacing,
 )
 from .samples import (
     columns_of,
@@ -119,7 +120,7 @@ def dives_of(data: xarray.Dataset, path: Path) -> list[Dive | Skipped]:
     names = next(pairs_of(data, "east", "north"), None)
     time, why_not = _times(data, names[0]) if names else (None, "")
     fixes, doubts = fixes_of(data, nan if time is None else float(time[0]))
-    reckoned = _dead_reckoning(data, names, time, fixes[1][0], fixes[2][0])
+    reckoned = _dead_reckoning(data, names, time, fixes)
     depths = (deepest(numbers) for _, numbers in columns_of(data, "depth"))
     dive = dive_between(
         _number(data, path),
@@ -207,8 +208,7 @@ def _dead_reckoning(
     data: xarray.Dataset,
     names: tuple[str, str] | None,
     time: np.ndarray | None,
-    start: float,
-    end: float,
+    fixes: Three,
 ) -> ThroughWater:
     """Sum the displacement through the water."""
     if names is None:
@@ -229,5 +229,9 @@ def _dead_reckoning(
         for name, numbers in columns_of(data, "depth")
         if data[name].dims == data[names[0]].dims
     )
-    depth = next(depths, np.full(east.shape, nan))
-    return summed(time - start, np.array([east, north]), depth, end - start, notes)
+    _, start, end = fixes
+    since = time - start[0]
+    depth = since, next(depths, np.full(east.shape, nan))
+    steps = np.array([east, north])
+    surfacing = usual_surfacing([fixes])
+    return summed(since, steps, depth, end[0] - start[0], surfacing, notes)

@@ -41,6 +41,7 @@ from .dives import (
     CONTRADICTS,
     LEAST_DEPTH,
     Dive,
+    DivesOrSkipped,
     Fix,
     Three,
     ThroughWater,
@@ -51,6 +52,7 @@ from .dives import (
 )
 from .mission_files import dives_across_files, logged
 from .samples import (
+    LARGEST_HOLE,
     LONGEST_GAP,
     SURFACE,
     deepest,
@@ -103,6 +105,8 @@ def dead_reckoning(
     speed = float(np.median(np.hypot(*np.diff(positions)) / np.diff(time)))
     path = np.hstack([np.zeros((3, 1)), [time - start[0], *positions]])
     remaining = wet[-1] - time[-1]
+    if remaining > max(LONGEST_GAP, LARGEST_HOLE * (wet[-1] - start[0])):
+        return None, f"no place for the last {remaining:.0f} s under water"
     if remaining > SHORT:
         log, heading = logged(rows_between(of, start[0], wet[-1] + SHORT), "m_heading")
         _, outside = within(np.degrees(heading), HEADINGS)
@@ -176,17 +180,20 @@ def reconciled(
         return None, gps - now * duration, f"{note}: not used, that current is"
     if used == 0 or note:
         return path, end, note
-    note = "no file says whether the glider's dead reckoning holds a current of its own"
+    note = (
+        "no file says whether the glider's dead reckoning holds a current of its own, so that the "
+        "learned current may be 0. Give u_use_current_correction, m_water_vx and m_water_vy"
+    )
     if used == 1 or size > CONTRADICTS:
         return None, np.full(2, nan), f"{note}: not used"
     return path, end, note
 
 
-def dives_of(path: Path) -> list[Dive]:
+def dives_of(path: Path) -> DivesOrSkipped:
     """Return the dives that end in a file."""
     segment = read_segment(path)
     log = segment.of
-    of, dive_fixes = dives_across_files(
+    of, found, unknown = dives_across_files(
         path, log, lambda file: read_segment(file).of, _fixes_and_wet
     )
     fixes, _ = _fixes_and_wet(of)
@@ -195,12 +202,7 @@ def dives_of(path: Path) -> list[Dive]:
             f"{path}: the Slocum file has fixes and no m_depth, by which dives are found. Give "
             "files with m_depth, such as .dbd or .mbd, or a CSV table of dives"
         )
-    ends = set(log.index[log.m_gps_lat.notna()])
-    dives = [
-        _dive(of, segment, fixes_of_dive)
-        for fixes_of_dive in dive_fixes
-        if fixes_of_dive[2][0] in ends
-    ]
+    dives = [_dive(of, segment, fixes_of_dive, lost) for fixes_of_dive, lost in found]
     if len(dives) > 1:
         labels = [
             f"dive {k} of {len(dives)} in {path.name}" for k in range(1, len(dives) + 1)
@@ -208,7 +210,7 @@ def dives_of(path: Path) -> list[Dive]:
         dives = [
             replace(d, notes=(w, *d.notes)) for d, w in zip(dives, labels, strict=True)
         ]
-    return dives
+    return [*unknown, *dives]
 
 
 def _fixes_and_wet(of: pandas.DataFrame) -> tuple[list[Fix], np.ndarray]:
@@ -218,8 +220,11 @@ def _fixes_and_wet(of: pandas.DataFrame) -> tuple[list[Fix], np.ndarray]:
     return fixes_in(time, *map(degrees, coordinates)), wet
 
 
-def _dive(of: pandas.DataFrame, segment: Segment, fixes: Three) -> Dive:
-    """Make the dive between two fixes that is under water at some times."""
+def _dive(of: pandas.DataFrame, segment: Segment, fixes: Three, lost: str) -> Dive:
+    """Make the dive between two fixes that is under water at some times.
+
+    Rows that are `lost` leave its displacement unknown.
+    """
     _, start, end = fixes
     notes = list(segment.notes)
     east_of_north = _variation(of, start)
@@ -228,9 +233,12 @@ def _dive(of: pandas.DataFrame, segment: Segment, fixes: Three) -> Dive:
     wet = time[(depth > LEAST_DEPTH) | np.isnan(depth)]
     duration = end[0] - start[0]
     path, why = dead_reckoning(of, start, wet, east_of_north)
-    hole, large = hole_under_water(time - start[0], depth, duration)
-    notes.append(why or hole)
-    if large:
+    since = time - start[0]
+    hole, large = hole_under_water(
+        since, (since, depth), duration, of.attrs["surfacing"]
+    )
+    notes.append(lost or why or hole)
+    if large or lost:
         path = None
     currents = own_currents(of, wet[0], end[0], east_of_north)
     used = of.u_use_current_correction[: end[0]].ffill().iloc[-1]

@@ -14,6 +14,7 @@ from clpt_control.gliders import make_dive, read_dives, sample_dives, write_dive
 from clpt_control.replay import replay_dives
 
 DIVES = sample_dives()
+STILL = {"flow": ("steady",)}  # the fastest
 
 
 def flown(courses, planned=False):
@@ -59,7 +60,49 @@ def test_a_plan_tells_the_course():
     assert half(with_plan) < 0.4 * half(without)
 
 
-STILL = {"flow": ("steady",)}  # the fastest
+LONG, SPEED = 18000.0, 0.25  # s, m/s
+
+
+def one_course(lengths, speeds=SPEED):
+    """Dives to the south-west, of lengths (s) and speeds (m/s), in a steady current."""
+    ways = [
+        (
+            along(200.0, speed * T),
+            along(200.0, speed * T) + T * np.array((0.1, -0.05)),
+            T,
+        )
+        for T, speed in np.broadcast(lengths, speeds)
+    ]
+    return replay_dives(chained(ways, stay=600.0), **STILL).next_dive().as_dict()
+
+
+def way_of(ahead):
+    return math.hypot(ahead["dr_east"], ahead["dr_north"])
+
+
+@pytest.mark.parametrize(
+    ("lengths", "speeds"),
+    [
+        ([1200.0] * 4 + [LONG] * 4, SPEED),  # as each mission begins
+        ([1200.0] * 4 + [LONG] * 12, SPEED),
+        ([90000.0] * 3 + [LONG] * 5, SPEED),
+        ([LONG] * 6 + [900.0], SPEED),  # broken off
+        ([LONG] * 6 + [900.0] + [LONG] * 2, SPEED),
+        ([LONG] * 8, [SPEED] * 6 + [0.005, SPEED]),  # a spiral, then as before
+        ([LONG] * 9, [SPEED] * 6 + [0.0] + [SPEED] * 2),
+    ],
+)
+def test_the_usual_speed_for_the_usual_time_after_odd_dives(lengths, speeds):
+    ahead = one_course(lengths, speeds)
+    assert ahead["duration"] == pytest.approx(LONG, rel=0.2)
+    assert way_of(ahead) == pytest.approx(SPEED * LONG, rel=0.2)
+    assert ahead["ellipse_long"] < 2 * SPEED * LONG
+
+
+@pytest.mark.parametrize("speeds", [[0.1, 0.2, 0.3], [0.05] * 5 + [0.4], [0.0, 0.3]])
+def test_no_forecast_is_faster_than_the_fastest_dive(speeds):
+    ahead = one_course([LONG] * len(speeds), speeds)
+    assert way_of(ahead) <= max(speeds) * ahead["duration"] * (1 + 1e-9)
 
 
 @pytest.mark.long

@@ -354,4 +354,4 @@ def test_a_file_before_that_is_empty_is_left_out(facts, tmp_path):
     shutil.copytree(facts / "glider/sea035", tmp_path, dirs_exist_ok=True)
     (tmp_path / "SEA035.10.gli.sub.002").write_bytes(b"")
     refuses(r"002: is empty", read_dives, tmp_path)
-    refuses("no dives", read_dives, tmp_path / "SEA035.10.gli.sub.003")
+    refuses("no fix before the dive", read_dives, tmp_path / "SEA035.10.gli.sub.003")

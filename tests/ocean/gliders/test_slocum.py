@@ -83,7 +83,7 @@ def navigated(folder, rows, cut=""):
 
 
 @pytest.mark.parametrize(
-    ("heading", "declination"), [(0.0, 0.0), (73.0, 17.0), (350.0, -20.0)]
+    ("heading", "declination"), [(0.0, 1.0), (73.0, 17.0), (350.0, -20.0)]
 )
 def test_a_v_of_constant_slope_is_depth_over_tangent(tmp_path, heading, declination):
     """Down to 100 m and up at 20 degrees: 2 * 100 m/tan(20 deg) along heading + declination."""
@@ -366,7 +366,7 @@ class Stale(Mission):
         return cycle
 
 
-def test_a_dive_whose_end_fix_is_its_start_fix_is_not_used(tmp_path):
+def test_a_dive_whose_end_fix_is_its_start_fix_goes_on_to_the_next(tmp_path):
     dives = []
     for kind in (Mission, Stale):
         mission = kind(tmp_path / kind.__name__, added=0.0)
@@ -374,7 +374,9 @@ def test_a_dive_whose_end_fix_is_its_start_fix_is_not_used(tmp_path):
         mission.dive(1)
         found = read_dives(tmp_path / kind.__name__, usable=False)[0]
         dives.append(sorted(found, key=lambda dive: dive.t_gpse))
-    (_, right), (used,) = dives
+    (first, right), (longer, used) = dives
+    assert (longer.t_gps2, longer.t_gpse) == (first.t_gps2, right.t_gps2)
+    assert longer.through_water == pytest.approx(first.through_water, abs=1.0)
     assert used.t_gpse == right.t_gpse
     assert (used.gps_north, used.dr_north) == pytest.approx(
         (right.gps_north, right.dr_north), abs=1.0
@@ -533,3 +535,36 @@ def test_the_plan_of_the_next_dive(tmp_path, said):
         "a heading": np.degrees(1.0) + VARIATION,
     }.get(said)
     assert dive.next_course == (wanted and pytest.approx(wanted, abs=0.05))
+
+
+@pytest.mark.parametrize("name", ["{}.asc", "{}_sbd.asc", "made_{}.dba"])
+def test_text_is_in_the_order_of_its_headers(tmp_path, name):
+    """A dive over three files, whose names say nothing of the vehicle."""
+    Mission(tmp_path / "source").dive(0, 3)
+    (right,) = read_dives(tmp_path / "source", usable=False)[0]
+    folder = tmp_path / "text"
+    folder.mkdir()
+    for k, other in enumerate((2, 0, 1)):
+        own = f"unit-2024-100-7-{k}"
+        text = as_text(tmp_path / "source" / f"{own}.sbd", own)
+        (folder / name.format(other)).write_text(text)
+    (dive,) = read_dives(folder, usable=False)[0]
+    assert dive.vehicle == "unit"
+    assert dive.through_water == pytest.approx(right.through_water, abs=1.0)
+    assert (dive.t_gps2, dive.t_gpse) == (right.t_gps2, right.t_gpse)
+
+
+def test_places_that_end_early_are_no_dead_reckoning(tmp_path):
+    """Of an hour under water without a place the first half's speed tells nothing."""
+    Mission(tmp_path / "source").dive(0)
+    ((path,),) = [(tmp_path / "source").glob("*.sbd")]
+    head, *rows = as_text(path, path.stem).splitlines()
+    names = rows[13].split()
+    lost = [names.index(name) for name in PLACES]
+    for k in range(len(rows) // 2, len(rows)):
+        cells = rows[k].split()
+        rows[k] = " ".join("NaN" if j in lost else v for j, v in enumerate(cells))
+    (tmp_path / "half.asc").write_text("\n".join([head, *rows]) + "\n")
+    (dive,) = read_dives(tmp_path / "half.asc", usable=False)[0]
+    assert np.isnan(dive.dr_east)
+    assert any("no place for the last" in note for note in dive.notes)
