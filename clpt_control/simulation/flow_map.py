@@ -33,6 +33,7 @@ from ..paper.blocks.flow import unspanned
 from ..paper.currents.plane import GriddedField, read_field
 from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.recorded_run import (
+    fixes_of,
     kind_of,
     read_estimate,
     scenario_with,
@@ -53,8 +54,8 @@ STANDARD_NAMES = {  # of u and v: on a plane, and by latitude and longitude
     False: ("sea_water_x_velocity", "sea_water_y_velocity"),
     True: ("eastward_sea_water_velocity", "northward_sea_water_velocity"),
 }
-READ = """latitude longitude end_time has_origin unspanned_flow walk time_origin leg_flow
-flow_parameters_estimate covariance origin"""
+READ = """latitude longitude start_latitude start_longitude end_time has_origin unspanned_flow walk
+time_origin leg_flow flow_parameters_estimate covariance origin"""
 ARROWS = (  # prefix of the map's names, label, colour, width; the wide ones below
     ("true_", "true flow", GREY, 0.006),
     ("", "learned flow", ORANGE, 0.003),
@@ -277,16 +278,17 @@ def learned_flow(run: "xarray.Dataset") -> _Learned:
 
 def _of_estimate(data: "xarray.Dataset") -> _Learned:
     estimate, scenario = read_estimate(data, READ)
+    estimate = estimate.sortby("end_time")
     latitude, longitude = estimate.attrs["origin"]
     has_origin = bool(estimate.attrs["has_origin"])
     plane = None
-    east = angle_near(estimate.longitude.values, longitude)
-    places = np.column_stack([east, estimate.latitude])
+    north, east, leg_of = fixes_of(estimate)
+    places = np.column_stack([angle_near(east, longitude), north])
     if not (has_origin and scenario.basis.is_everywhere(scenario.units.length)):
         plane = LocalPlane(latitude, longitude, scenario.units.length)
-        places = np.column_stack(plane.to_plane(estimate.latitude, estimate.longitude))
+        places = np.column_stack(plane.to_plane(north, east))
     fixes = cKDTree(places)
-    leg_flow = estimate.leg_flow.values
+    leg_flow = estimate.leg_flow.values[leg_of]
 
     def beside(
         points: np.ndarray, flow: np.ndarray, phi: np.ndarray, elapsed: np.ndarray
@@ -305,7 +307,7 @@ def _of_estimate(data: "xarray.Dataset") -> _Learned:
         scenario,
         estimate.flow_parameters_estimate.values[-1],
         "m s-1",
-        estimate.covariance.values,
+        estimate.covariance.values[-1],
         plane if has_origin else None,
         has_origin,
         places,

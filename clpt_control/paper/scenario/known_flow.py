@@ -63,11 +63,13 @@ def _simulated_truth(scenario: Scenario, theta: np.ndarray) -> dict[str, Any]:
     """Return tables for a run in the learned flow, of those that the scenario leaves out.
 
     The vehicle visits the centers of the functions and stays for as long as it takes to cross a
-    width at 1 m/s; the gain is that time's and that width's.
+    width at 1 m/s; the gain is that time's and that width's.  The law has the vehicle's gains.
     """
     width = float(scenario.basis.lengths.min())
     units = scenario.units
     dwell = width * METRES[units.length] / SECONDS[units.time]
+    if "reference" not in scenario.left_out:
+        dwell = scenario.reference.dwell
     points = list(dict.fromkeys(scenario.basis.centers))
     truth = {
         "flow": {"parameters": theta.tolist()},
@@ -79,4 +81,8 @@ def _simulated_truth(scenario: Scenario, theta: np.ndarray) -> dict[str, Any]:
         },
     }
     added = {name: table for name, table in truth.items() if name in scenario.left_out}
-    return {**added, "localization": None, "learning.gain": 1 / (width * dwell) ** 2}
+    gains = {"learning.gain": 1 / (width * dwell) ** 2}
+    for name in ("feedback", "feedforward"):
+        own = added.get("vehicle") or scenario.vehicle.model_dump()
+        gains[f"learning.{name}"] = own[name]
+    return {**added, "localization": None, **gains}

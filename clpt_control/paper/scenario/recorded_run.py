@@ -59,14 +59,14 @@ KINDS = {  # kind of dataset -> its attribute; the first that is present decides
 }
 # variables and attributes of an estimate that are read, by their kinds of NumPy and dimensions
 ESTIMATE = {
-    "iuf leg": """leg latitude longitude predicted_latitude predicted_longitude forecast_radius
-    turn guaranteed""",
+    "iuf leg": """leg start_latitude start_longitude latitude longitude predicted_latitude
+    predicted_longitude forecast_radius turn guaranteed""",
     "M leg": "start_time end_time",
     "biu leg": "inside",
     "iuf leg axis": "position_error flow leg_flow",
     "iuf leg axis basis": "flow_parameters_estimate",
     "iuf leg basis": "standard_error",
-    "iuf axis basis other_basis": "covariance",
+    "iuf leg axis basis other_basis": "covariance",
     "iuf axis": "origin",
     "iuf": "has_origin unspanned_flow walk noise_scale",
     "U": "time_origin fix_law fix_method guarantee",
@@ -246,6 +246,21 @@ def read_estimate(
                 "of an older version. Estimate again"
             )
     return estimate, scenario
+
+
+def fixes_of(estimate: "xarray.Dataset") -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return latitudes and longitudes of all fixes, and the number of the leg of each.
+
+    Each leg ends at a fix; it begins at that of the leg before, or at one of its own.
+    """
+    starts, ends = (
+        np.column_stack([estimate[f"{prefix}latitude"], estimate[f"{prefix}longitude"]])
+        for prefix in ("start_", "")
+    )
+    is_own = np.append(True, np.any(starts[1:] != ends[:-1], axis=1))
+    own = np.flatnonzero(is_own)
+    latitudes, longitudes = np.insert(ends, own, starts[own], axis=0).T
+    return latitudes, longitudes, np.insert(np.arange(len(ends)), own, own)
 
 
 def thinned(run: "xarray.Dataset", step: int) -> "xarray.Dataset":
