@@ -55,7 +55,7 @@ STANDARD_NAMES = {  # of u and v: on a plane, and by latitude and longitude
     True: ("eastward_sea_water_velocity", "northward_sea_water_velocity"),
 }
 READ = """latitude longitude start_latitude start_longitude end_time has_origin unspanned_flow walk
-time_origin leg_flow flow_parameters_estimate covariance origin"""
+time_origin leg_flow scatter flow_parameters_estimate covariance origin"""
 ARROWS = (  # prefix of the map's names, label, colour, width; the wide ones below
     ("true_", "true flow", GREY, 0.006),
     ("", "learned flow", ORANGE, 0.003),
@@ -284,21 +284,31 @@ def _of_estimate(data: "xarray.Dataset") -> _Learned:
     plane = None
     north, east, leg_of = fixes_of(estimate)
     places = np.column_stack([angle_near(east, longitude), north])
-    if not (has_origin and scenario.basis.is_everywhere(scenario.units.length)):
+    is_everywhere = scenario.basis.is_everywhere(scenario.units.length)
+    if not (has_origin and is_everywhere):
         plane = LocalPlane(latitude, longitude, scenario.units.length)
         places = np.column_stack(plane.to_plane(north, east))
-    fixes = cKDTree(places)
+    # of degrees of longitude, too
+    scale = np.array([1.0 if plane else np.cos(np.radians(latitude)), 1.0])
+    fixes = cKDTree(places * scale)
+    extent = np.linalg.norm(np.std(places * scale, axis=0)) or 1.0
     leg_flow = estimate.leg_flow.values[leg_of]
 
     def beside(
         points: np.ndarray, flow: np.ndarray, phi: np.ndarray, elapsed: np.ndarray
     ) -> np.ndarray:
-        # the legs of the two nearest fixes, such as that before a fix and that behind it
-        _, legs = fixes.query(points, [1, 2])
-        near = leg_flow[np.minimum(legs, len(leg_flow) - 1)]
-        off = np.mean((near - flow[:, None]) ** 2, axis=2).max(axis=1)
         prior = estimate.attrs["unspanned_flow"]
-        v, _, share = unspanned(scenario.basis, prior, points, places)
+        if is_everywhere:
+            # what the legs show beside them, and the prior farther off than the track is long
+            near = np.exp(-((fixes.query(points * scale)[0] / extent) ** 2) / 2)
+            v = near * estimate.attrs["scatter"] ** 2 + (1 - near) * prior**2
+            share = off = 0.0
+        else:
+            # the legs of the two nearest fixes, such as that before a fix and that behind it
+            _, legs = fixes.query(points * scale, [1, 2])
+            near = leg_flow[np.minimum(legs, len(leg_flow) - 1)]
+            off = np.mean((near - flow[:, None]) ** 2, axis=2).max(axis=1)
+            v, _, share = unspanned(scenario.basis, prior, points, places)
         seconds = np.abs(elapsed) * SECONDS[scenario.units.time]
         walked = seconds * estimate.attrs["walk"] ** 2
         return v + share * off + walked * np.sum(phi**2, axis=1)

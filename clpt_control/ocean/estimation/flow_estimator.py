@@ -392,6 +392,12 @@ class FlowEstimator:
         squares = [guess.square for guess in self.guesses.states]
         return float(np.sqrt(self.guesses.weights @ squares))
 
+    @property
+    def scatter(self) -> float:
+        """Standard deviation of the flow beside theta phi, in the mean over a leg."""
+        squares = [guess.factors[1] for guess in self.guesses.states]
+        return float(self.guesses.weights @ squares) ** 0.5 * self.settings.scatter
+
     @cached_property
     def covariance(self) -> np.ndarray:
         """Covariance of each row of theta, (N, N), scenario's units."""

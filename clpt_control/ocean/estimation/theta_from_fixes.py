@@ -219,6 +219,7 @@ def flow_of_legs(
         estimator.frame, estimator.settings.bent = frame, 0.0
         estimator.is_screened = False
     estimator.settings.beside *= not is_spanned
+    unspanned = float(estimator.settings.prior.max()) * (not is_spanned)
     learned, used, refused, shown, covariances = [], [], [], [], []
     for leg in legs:
         check()
@@ -325,8 +326,10 @@ def flow_of_legs(
             "has_origin": int(has_origin),  # else a made one, of a run in a plane
             "time_origin": str(np.datetime64(round(frame.time * 1e3), "ms")),
             "noise_scale": scale,
-            # standard deviation far from functions that die out, m/s
-            "unspanned_flow": estimator.settings.beside * speed,
+            # standard deviations far from functions or from the track, and beside functions that
+            # are the same everywhere, m/s
+            "unspanned_flow": unspanned * speed,
+            "scatter": estimator.scatter * (not is_spanned) * speed,
             # standard deviation of the walk of each parameter after 1 s, m/s
             "walk": (scenario.learning.law == WALKS)
             * estimator.settings.p.walk

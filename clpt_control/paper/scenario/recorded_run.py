@@ -68,7 +68,7 @@ ESTIMATE = {
     "iuf leg basis": "standard_error",
     "iuf leg axis basis other_basis": "covariance",
     "iuf axis": "origin",
-    "iuf": "has_origin unspanned_flow walk noise_scale",
+    "iuf": "has_origin unspanned_flow scatter walk noise_scale",
     "U": "time_origin fix_law fix_method guarantee",
 }
 MOST_WAYPOINTS = 1e6  # visited in a run that is longer than its scenario
