@@ -282,7 +282,7 @@ def _of_estimate(data: "xarray.Dataset") -> _Learned:
     latitude, longitude = estimate.attrs["origin"]
     has_origin = bool(estimate.attrs["has_origin"])
     plane = None
-    north, east, leg_of = fixes_of(estimate)
+    (north, east), leg_of = fixes_of(estimate)
     places = np.column_stack([angle_near(east, longitude), north])
     is_everywhere = scenario.basis.is_everywhere(scenario.units.length)
     if not (has_origin and is_everywhere):

@@ -178,7 +178,7 @@ def fixes_on_map(data: "xarray.Dataset") -> list[Feature]:
     if not estimate.attrs["has_origin"]:
         raise DataError("the estimate has no latitude and longitude: its run has none")
     fixes = np.column_stack([estimate.latitude, estimate.longitude])
-    track = np.column_stack(fixes_of(estimate)[:2])
+    track = fixes_of(estimate)[0].T
     features = [Feature("track", "LineString", track, BLUE)]
     for k, fix in enumerate(fixes):
         leg = estimate.isel(leg=k)

@@ -169,11 +169,11 @@ def _visits(data: "xarray.Dataset", learner: "clpt.Scenario") -> dict[str, Any]:
 
     plane = LocalPlane(*data.attrs["origin"], learner.units.length)
     reach, plane.widest = plane.widest, np.inf
-    points = np.column_stack(plane.to_plane(*fixes_of(data)[:2]))
+    points = np.transpose(plane.to_plane(*fixes_of(data)[0]))
     points = points[np.hypot(*points.T) <= reach]
-    few = points[np.linspace(0, len(points) - 1, VISITED).round().astype(int)]
-    span = (data.end_time[-1] - data.start_time[0]) / np.timedelta64(1, "s")
-    dwell = float(span) / SECONDS[learner.units.time] / VISITED
+    few = points[np.linspace(0, len(points) - 1, VISITED).astype(int)]
+    span = (data.end_time[-1] - data.start_time[0]) / np.timedelta64(VISITED, "s")
+    dwell = float(span) / SECONDS[learner.units.time]
     tables = {
         "reference": {"kind": "waypoints", "points": few.tolist(), "dwell": dwell},
         "run": {"duration": VISITED * dwell, "output_step": dwell / 100},

@@ -164,7 +164,7 @@ def learned_flow_plot(data: xarray.Dataset, *, ax: Any = None) -> np.ndarray:
         data.predicted_latitude.values, data.predicted_longitude.values
     )
     size = 3 if len(x) > MANY else 5
-    fixes = plane.to_plane(*fixes_of(data)[:2])
+    fixes = plane.to_plane(*fixes_of(data)[0])
     chart.plot(*fixes, "-", color=GREY, lw=0.6, alpha=0.3)
     chart.plot(*fixes, "o", color=BLUE, ms=size, label="fix")
     chart.plot(px, py, "x", color=ORANGE, ms=size + 1, label="forecast of it")

@@ -49,7 +49,11 @@ def known_flow_scenario(scenario: Scenario, theta: np.ndarray) -> Scenario:
         values[f"learning.{learning.row.table}"] = None
     gains = learning.used_gains
     if scenario.left_out or learning.row.at_fixes:
-        values |= _simulated_truth(scenario, theta)
+        fed = scenario.with_values(values | _simulated_truth(scenario, theta))
+        gains = ("feedback", "feedforward")  # the law knows those of the vehicle
+        return fed.with_values(
+            {f"learning.{name}": getattr(fed.vehicle, name) for name in gains}
+        )
     elif not learning.adapt_gains:
         values |= {"learning.gain": None, "learning.gains": None}
     elif learning.gains is not None:
@@ -63,13 +67,11 @@ def _simulated_truth(scenario: Scenario, theta: np.ndarray) -> dict[str, Any]:
     """Return tables for a run in the learned flow, of those that the scenario leaves out.
 
     The vehicle visits the centers of the functions and stays for as long as it takes to cross a
-    width at 1 m/s; the gain is that time's and that width's.  The law has the vehicle's gains.
+    width at 1 m/s; the gain is that time's and that width's.
     """
     width = float(scenario.basis.lengths.min())
     units = scenario.units
     dwell = width * METRES[units.length] / SECONDS[units.time]
-    if "reference" not in scenario.left_out:
-        dwell = scenario.reference.dwell
     points = list(dict.fromkeys(scenario.basis.centers))
     truth = {
         "flow": {"parameters": theta.tolist()},
@@ -81,8 +83,4 @@ def _simulated_truth(scenario: Scenario, theta: np.ndarray) -> dict[str, Any]:
         },
     }
     added = {name: table for name, table in truth.items() if name in scenario.left_out}
-    gains = {"learning.gain": 1 / (width * dwell) ** 2}
-    for name in ("feedback", "feedforward"):
-        own = added.get("vehicle") or scenario.vehicle.model_dump()
-        gains[f"learning.{name}"] = own[name]
-    return {**added, "localization": None, **gains}
+    return {**added, "localization": None, "learning.gain": 1 / (width * dwell) ** 2}

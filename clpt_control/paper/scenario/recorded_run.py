@@ -248,19 +248,17 @@ def read_estimate(
     return estimate, scenario
 
 
-def fixes_of(estimate: "xarray.Dataset") -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return latitudes and longitudes of all fixes, and the number of the leg of each.
+def fixes_of(estimate: "xarray.Dataset") -> tuple[np.ndarray, np.ndarray]:
+    """Return latitudes and longitudes of all fixes, (2, m), and the number of the leg of each.
 
     Each leg ends at a fix; it begins at that of the leg before, or at one of its own.
     """
-    starts, ends = (
-        np.column_stack([estimate[f"{prefix}latitude"], estimate[f"{prefix}longitude"]])
-        for prefix in ("start_", "")
-    )
-    is_own = np.append(True, np.any(starts[1:] != ends[:-1], axis=1))
-    own = np.flatnonzero(is_own)
-    latitudes, longitudes = np.insert(ends, own, starts[own], axis=0).T
-    return latitudes, longitudes, np.insert(np.arange(len(ends)), own, own)
+    starts = estimate[["start_latitude", "start_longitude"]].to_array().values
+    ends = estimate[["latitude", "longitude"]].to_array().values
+    is_other = np.any(starts[:, 1:] != ends[:, :-1], axis=0)
+    own = np.flatnonzero(np.append(True, is_other))
+    legs = np.arange(ends.shape[1])
+    return np.insert(ends, own, starts[:, own], axis=1), np.insert(legs, own, own)
 
 
 def thinned(run: "xarray.Dataset", step: int) -> "xarray.Dataset":
