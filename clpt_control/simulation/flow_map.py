@@ -9,7 +9,7 @@ Flow that the vehicle of a run did not see is masked: places outside of the box 
 the measured current.  An estimate has standard errors, which grow there.
 
 u and v are by local east and north.  So are functions that are the same everywhere, which need no
-plane.
+plane; v is then the scatter of the legs, and farther off than the track is long that of the prior.
 
 The chart of a map has arrows of the learned flow and, where known, of the true flow, both on one
 scale.  The shade is the standard error of an estimate, or the error of a run whose true flow is
