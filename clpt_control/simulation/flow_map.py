@@ -302,16 +302,16 @@ def _of_estimate(data: "xarray.Dataset") -> _Learned:
             # what the legs show beside them, and the prior farther off than the track is long
             near = np.exp(-((fixes.query(points * scale)[0] / extent) ** 2) / 2)
             v = near * estimate.attrs["scatter"] ** 2 + (1 - near) * prior**2
-            share = off = 0.0
         else:
             # the legs of the two nearest fixes, such as that before a fix and that behind it
             _, legs = fixes.query(points * scale, [1, 2])
             near = leg_flow[np.minimum(legs, len(leg_flow) - 1)]
             off = np.mean((near - flow[:, None]) ** 2, axis=2).max(axis=1)
             v, _, share = unspanned(scenario.basis, prior, points, places)
+            v = v + share * off
         seconds = np.abs(elapsed) * SECONDS[scenario.units.time]
         walked = seconds * estimate.attrs["walk"] ** 2
-        return v + share * off + walked * np.sum(phi**2, axis=1)
+        return v + walked * np.sum(phi**2, axis=1)
 
     return _Learned(
         scenario,

@@ -167,7 +167,8 @@ def _visits(data: "xarray.Dataset", learner: "clpt.Scenario") -> dict[str, Any]:
     from ...base.units import SECONDS
     from ...paper.scenario.recorded_run import fixes_of
 
-    plane = LocalPlane(*data.attrs["origin"], learner.units.length)
+    latitude, longitude = data.attrs["origin"]
+    plane = LocalPlane(latitude, longitude, learner.units.length)
     reach, plane.widest = plane.widest, np.inf
     points = np.transpose(plane.to_plane(*fixes_of(data)[0]))
     points = points[np.hypot(*points.T) <= reach]

@@ -220,7 +220,8 @@ def flow_of_legs(
         estimator.is_screened = False
     estimator.settings.beside *= not is_spanned
     unspanned = float(estimator.settings.prior.max()) * (not is_spanned)
-    learned, used, refused, shown, covariances = [], [], [], [], []
+    learned, used, refused, shown = [], [], [], []
+    covariances: list[Any] = []
     for leg in legs:
         check()
         try:

@@ -50,9 +50,9 @@ def known_flow_scenario(scenario: Scenario, theta: np.ndarray) -> Scenario:
     gains = learning.used_gains
     if scenario.left_out or learning.row.at_fixes:
         fed = scenario.with_values(values | _simulated_truth(scenario, theta))
-        gains = ("feedback", "feedforward")  # the law knows those of the vehicle
+        names = ("feedback", "feedforward")  # gains of the vehicle, which the law knows
         return fed.with_values(
-            {f"learning.{name}": getattr(fed.vehicle, name) for name in gains}
+            {f"learning.{name}": getattr(fed.vehicle, name) for name in names}
         )
     elif not learning.adapt_gains:
         values |= {"learning.gain": None, "learning.gains": None}

@@ -71,7 +71,8 @@ def test_functions_that_are_the_same_everywhere_have_local_axes(
     np.testing.assert_allclose(theta, FLOW, atol=0.003)
     error = learned.standard_error.values[-1][0]
     far = latitude + np.array([-3.0, 3.0]), np.array([170.0, 190.0])
-    for grid, largest in (((), 0.02), (far, 0.51)):  # near the track, and the prior
+    near = learned.latitude.values[-1:], learned.longitude.values[-1:]
+    for grid, largest in ((near, 0.02), (far, 0.51), ((), 0.51)):  # far: the prior
         flow = clpt.flow_map(learned, *grid)
         np.testing.assert_allclose(flow.u, FLOW[0], atol=0.003)
         np.testing.assert_allclose(flow.v, FLOW[1], atol=0.003)
