@@ -7,7 +7,7 @@ none (N) or a simulator (S).  VHW has true heading and speed through the water: 
 the next VHW.  VHW has no time, so it gets that of the last RMC, valid or not: receivers keep
 their clock under water.  Of several VHW between two RMC the mean velocity is used.  Sentences with
 a wrong checksum, or with fields that are empty or short, are skipped.  A magnetic heading alone is
-told once.
+told once, and a log in which nothing was read at its end.
 
 Each fix is answered by one object of JSON, and the learner is saved.  A killed process is started
 again with the sentences since the last fix, or all of them: sentences before the last fix are not
@@ -30,6 +30,10 @@ import clpt_control as clpt
 KNOT = 1852 / 3600  # m/s
 FASTEST = 5.0  # m/s through the water; a greater speed is taken as unknown
 NO_FIX = ("E", "N", "S")  # modes of RMC: estimated, none, simulator
+NOTHING = (
+    "no RMC with a fix was read. Give lines that begin with $ and end with a checksum, such as "
+    "$GPRMC,120000,A,3642.00,N,12206.00,W,0.0,0.0,010526,,,A*65"
+)
 MAGNETIC = "VHW has a magnetic heading alone. Turn it by the variation of the place"
 
 
@@ -65,7 +69,7 @@ def fix_of(fields: list[str], time: float) -> dict[str, float] | None:
 
 def readings(sentences: Iterable[str]) -> Iterator[dict[str, float]]:
     """Yield each fix and each heading (degrees) with speed (m/s)."""
-    time, is_told = None, False
+    time, is_told, is_read = None, False, False
     for sentence in sentences:
         fields = fields_of(sentence)
         if fields is None:
@@ -76,6 +80,7 @@ def readings(sentences: Iterable[str]) -> Iterator[dict[str, float]]:
                 clock = datetime.strptime(fields[9] + fields[1][:6], "%d%m%y%H%M%S")
                 time = clock.replace(tzinfo=UTC).timestamp()
                 if fix := fix_of(fields, time):
+                    is_read = True
                     yield fix
             elif kind == "VHW" and time is not None and fields[1]:
                 speed = float(fields[5]) * KNOT
@@ -86,6 +91,8 @@ def readings(sentences: Iterable[str]) -> Iterator[dict[str, float]]:
         except (ValueError, IndexError):
             # a field that is empty or short
             continue
+    if not is_read:
+        print(NOTHING, file=sys.stderr)
 
 
 def feed(

@@ -9,7 +9,7 @@ Flow that the vehicle of a run did not see is masked: places outside of the box 
 the measured current.  An estimate has standard errors, which grow there.
 
 u and v are by local east and north.  So are functions that are the same everywhere, which need no
-plane.
+plane; v is then the scatter of the legs, and farther off than the track is long that of the prior.
 
 The chart of a map has arrows of the learned flow and, where known, of the true flow, both on one
 scale.  The shade is the standard error of an estimate, or the error of a run whose true flow is
@@ -33,6 +33,7 @@ from ..paper.blocks.flow import unspanned
 from ..paper.currents.plane import GriddedField, read_field
 from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.recorded_run import (
+    fixes_of,
     kind_of,
     read_estimate,
     scenario_with,
@@ -53,8 +54,8 @@ STANDARD_NAMES = {  # of u and v: on a plane, and by latitude and longitude
     False: ("sea_water_x_velocity", "sea_water_y_velocity"),
     True: ("eastward_sea_water_velocity", "northward_sea_water_velocity"),
 }
-READ = """latitude longitude end_time has_origin unspanned_flow walk time_origin leg_flow
-flow_parameters_estimate covariance origin"""
+READ = """latitude longitude start_latitude start_longitude end_time has_origin unspanned_flow walk
+time_origin leg_flow scatter flow_parameters_estimate covariance origin"""
 ARROWS = (  # prefix of the map's names, label, colour, width; the wide ones below
     ("true_", "true flow", GREY, 0.006),
     ("", "learned flow", ORANGE, 0.003),
@@ -277,35 +278,46 @@ def learned_flow(run: "xarray.Dataset") -> _Learned:
 
 def _of_estimate(data: "xarray.Dataset") -> _Learned:
     estimate, scenario = read_estimate(data, READ)
+    estimate = estimate.sortby("end_time")
     latitude, longitude = estimate.attrs["origin"]
     has_origin = bool(estimate.attrs["has_origin"])
     plane = None
-    east = angle_near(estimate.longitude.values, longitude)
-    places = np.column_stack([east, estimate.latitude])
-    if not (has_origin and scenario.basis.is_everywhere(scenario.units.length)):
+    (north, east), leg_of = fixes_of(estimate)
+    places = np.column_stack([angle_near(east, longitude), north])
+    is_everywhere = scenario.basis.is_everywhere(scenario.units.length)
+    if not (has_origin and is_everywhere):
         plane = LocalPlane(latitude, longitude, scenario.units.length)
-        places = np.column_stack(plane.to_plane(estimate.latitude, estimate.longitude))
-    fixes = cKDTree(places)
-    leg_flow = estimate.leg_flow.values
+        places = np.column_stack(plane.to_plane(north, east))
+    # of degrees of longitude, too
+    scale = np.array([1.0 if plane else np.cos(np.radians(latitude)), 1.0])
+    fixes = cKDTree(places * scale)
+    extent = np.linalg.norm(np.std(places * scale, axis=0)) or 1.0
+    leg_flow = estimate.leg_flow.values[leg_of]
 
     def beside(
         points: np.ndarray, flow: np.ndarray, phi: np.ndarray, elapsed: np.ndarray
     ) -> np.ndarray:
-        # the legs of the two nearest fixes, such as that before a fix and that behind it
-        _, legs = fixes.query(points, [1, 2])
-        near = leg_flow[np.minimum(legs, len(leg_flow) - 1)]
-        off = np.mean((near - flow[:, None]) ** 2, axis=2).max(axis=1)
         prior = estimate.attrs["unspanned_flow"]
-        v, _, share = unspanned(scenario.basis, prior, points, places)
+        if is_everywhere:
+            # what the legs show beside them, and the prior farther off than the track is long
+            near = np.exp(-((fixes.query(points * scale)[0] / extent) ** 2) / 2)
+            v = near * estimate.attrs["scatter"] ** 2 + (1 - near) * prior**2
+        else:
+            # the legs of the two nearest fixes, such as that before a fix and that behind it
+            _, legs = fixes.query(points * scale, [1, 2])
+            near = leg_flow[np.minimum(legs, len(leg_flow) - 1)]
+            off = np.mean((near - flow[:, None]) ** 2, axis=2).max(axis=1)
+            v, _, share = unspanned(scenario.basis, prior, points, places)
+            v = v + share * off
         seconds = np.abs(elapsed) * SECONDS[scenario.units.time]
         walked = seconds * estimate.attrs["walk"] ** 2
-        return v + share * off + walked * np.sum(phi**2, axis=1)
+        return v + walked * np.sum(phi**2, axis=1)
 
     return _Learned(
         scenario,
         estimate.flow_parameters_estimate.values[-1],
         "m s-1",
-        estimate.covariance.values,
+        estimate.covariance.values[-1],
         plane if has_origin else None,
         has_origin,
         places,

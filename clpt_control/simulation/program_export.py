@@ -22,6 +22,7 @@ from ..base.units import SECONDS, iso, seconds_since_1970
 from ..engine.diagram.wiring import Params
 from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.recorded_run import (
+    fixes_of,
     kind_of,
     read_estimate,
     scenario_with,
@@ -36,8 +37,8 @@ if TYPE_CHECKING:
     import xarray
 
 SUFFIXES = (".kml", ".geojson")  # of tracks
-READ = """latitude longitude end_time forecast_radius predicted_latitude predicted_longitude
-position_error leg has_origin"""
+READ = """latitude longitude start_latitude start_longitude end_time forecast_radius
+predicted_latitude predicted_longitude position_error leg has_origin"""
 NUMBER = re.compile(r"(?<![\w.])(\d+\.\d+(e[-+]?\d+)?|\d+e[-+]?\d+)(?![\w.])")
 
 
@@ -177,7 +178,8 @@ def fixes_on_map(data: "xarray.Dataset") -> list[Feature]:
     if not estimate.attrs["has_origin"]:
         raise DataError("the estimate has no latitude and longitude: its run has none")
     fixes = np.column_stack([estimate.latitude, estimate.longitude])
-    features = [Feature("track", "LineString", fixes, BLUE)][: len(fixes) - 1]
+    track = fixes_of(estimate)[0].T
+    features = [Feature("track", "LineString", track, BLUE)]
     for k, fix in enumerate(fixes):
         leg = estimate.isel(leg=k)
         predicted = float(leg.predicted_latitude), float(leg.predicted_longitude)

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     import xarray
 
 MISSION = "made_auv_mission.csv"
+VISITED = 6  # fixes of the track, by a run in the learned flow
 
 
 def estimate(
@@ -152,9 +153,33 @@ def _recorded(
         {
             "title": f"{learner.title or 'Learned flow'}, t = 0 at {begin} UTC",
             "origin": list(data.attrs["origin"]),
+            **_visits(data, learner),
         }
     )
     return data, clpt.currents.known_flow_scenario(titled, theta), skipped, None
+
+
+def _visits(data: "xarray.Dataset", learner: "clpt.Scenario") -> dict[str, Any]:
+    """Return tables, of those left out, for a run as long as the track, to some of its fixes."""
+    import numpy as np
+
+    from ...base.geodesy import LocalPlane
+    from ...base.units import SECONDS
+    from ...paper.scenario.recorded_run import fixes_of
+
+    latitude, longitude = data.attrs["origin"]
+    plane = LocalPlane(latitude, longitude, learner.units.length)
+    reach, plane.widest = plane.widest, np.inf
+    points = np.transpose(plane.to_plane(*fixes_of(data)[0]))
+    points = points[np.hypot(*points.T) <= reach]
+    few = points[np.linspace(0, len(points) - 1, VISITED).astype(int)]
+    span = (data.end_time[-1] - data.start_time[0]) / np.timedelta64(VISITED, "s")
+    dwell = float(span) / SECONDS[learner.units.time]
+    tables = {
+        "reference": {"kind": "waypoints", "points": few.tolist(), "dwell": dwell},
+        "run": {"duration": VISITED * dwell, "output_step": dwell / 100},
+    }
+    return {name: tables[name] for name in tables if name in learner.left_out}
 
 
 def _of_run(

@@ -157,8 +157,9 @@ def run(
         if missing := not_learned(result):
             table = table._replace(sentences=[*table.sentences, missing])
             summary["not_learnable"] = missing
-    drawn = {} if folder is None else _run_figures(fine, folder, kinds)
-    write_together({out: as_written(result, out), **drawn})
+    write_together({out: as_written(result, out)})  # before a figure may fail
+    if folder is not None:
+        write_together(_run_figures(fine, folder, kinds))
     finish([table], summary, as_json, out)
 
 

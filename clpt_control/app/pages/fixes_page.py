@@ -14,12 +14,12 @@ from ...base.html import Result
 from ...base.page import Page, Section, drawn, versions_section
 from ...base.units import at_most, finite_or_none
 from ...ocean.estimation.fix_model import LEVEL, PERCENT
-from ...paper.scenario.recorded_run import read_estimate
+from ...paper.scenario.recorded_run import fixes_of, read_estimate
 
 Report = dict[str, Any]  # ready for JSON
 MANY = 40  # legs; beyond, marks are small
-DRAWN = """origin latitude longitude predicted_latitude predicted_longitude flow leg position_error
-forecast_radius"""
+DRAWN = """origin latitude longitude start_latitude start_longitude predicted_latitude
+predicted_longitude flow leg position_error forecast_radius"""
 REPORTED = """leg start_time end_time position_error forecast_radius inside flow guaranteed
 flow_parameters_estimate standard_error turn noise_scale origin time_origin fix_law fix_method
 guarantee"""
@@ -164,8 +164,9 @@ def learned_flow_plot(data: xarray.Dataset, *, ax: Any = None) -> np.ndarray:
         data.predicted_latitude.values, data.predicted_longitude.values
     )
     size = 3 if len(x) > MANY else 5
-    chart.plot(x, y, "-", color=GREY, lw=0.6, alpha=0.3)
-    chart.plot(x, y, "o", color=BLUE, ms=size, label="fix")
+    fixes = plane.to_plane(*fixes_of(data)[0])
+    chart.plot(*fixes, "-", color=GREY, lw=0.6, alpha=0.3)
+    chart.plot(*fixes, "o", color=BLUE, ms=size, label="fix")
     chart.plot(px, py, "x", color=ORANGE, ms=size + 1, label="forecast of it")
     flow = data.flow.values
     arrows = chart.quiver(

@@ -392,6 +392,12 @@ class FlowEstimator:
         squares = [guess.square for guess in self.guesses.states]
         return float(np.sqrt(self.guesses.weights @ squares))
 
+    @property
+    def scatter(self) -> float:
+        """Standard deviation of the flow beside theta phi, in the mean over a leg."""
+        squares = [guess.factors[1] for guess in self.guesses.states]
+        return float(self.guesses.weights @ squares) ** 0.5 * self.settings.scatter
+
     @cached_property
     def covariance(self) -> np.ndarray:
         """Covariance of each row of theta, (N, N), scenario's units."""
@@ -421,12 +427,25 @@ class FlowEstimator:
                 "no error is guaranteed: the flow changed, or the fixes show that a limit does "
                 "not hold. Give a larger unmodelled flow or shear"
             )
+        if self.ways and not np.isfinite(self._guaranteed_at_fix()):
+            return (
+                "no error is guaranteed at the last fix: the bound is not below the prior there. "
+                f"Shear x interval is {limits.shear * self.ways[-1][4]:.2g}: give a smaller shear, "
+                "or fixes more often"
+            )
+        constant = "it" if np.all(np.isinf(self.scenario.periods)) else "theta"
         return (
-            "guaranteed of the modelled flow if it is constant, |theta - theta_hat(0)| at most one "
+            f"guaranteed of the modelled flow if {constant} is constant, "
+            "|theta - theta_hat(0)| at most one "
             f"prior, shear at most {at_least(shear, 3)}/s, the unmodelled flow at most "
             f"{at_least(limits.unmodelled * speed, 3)} m/s, and each fix within "
             f"{at_least(limits.noise * self.settings.metres, 3)} m"
         )
+
+    def _guaranteed_at_fix(self) -> float:
+        frame, leg = self.under_way
+        place = frame.position(np.array(leg.place))
+        return self.guaranteed(frame.date(leg.start), *place)
 
     @property
     def flow_parameters(self) -> np.ndarray:

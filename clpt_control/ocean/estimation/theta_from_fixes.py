@@ -219,7 +219,9 @@ def flow_of_legs(
         estimator.frame, estimator.settings.bent = frame, 0.0
         estimator.is_screened = False
     estimator.settings.beside *= not is_spanned
+    unspanned = float(estimator.settings.prior.max()) * (not is_spanned)
     learned, used, refused, shown = [], [], [], []
+    covariances: list[Any] = []
     for leg in legs:
         check()
         try:
@@ -233,12 +235,12 @@ def flow_of_legs(
             learned.append(result)
             used.append(leg)
             shown.append(estimator.under_way[1].shown)
+            covariances.append([estimator.covariance] * 2)
     if not used:
         raise DataError(refused[0])
     legs = used
     speed = estimator.settings.speed
     theta = estimator.flow_parameters
-    covariance = np.stack([estimator.covariance, estimator.covariance])
     scale, notes = estimator.scale, []
     turns = [result.turn for result in learned]
     guaranteed = [result.guaranteed for result in learned]
@@ -247,9 +249,9 @@ def flow_of_legs(
         guaranteed = [np.inf] * len(learned)
         guarantee = "no error is guaranteed: tomography has no bound"
         found = tomography_of(estimator, legs)
-        theta, covariance = found.theta * speed, found.covariance
+        theta, covariances[-1] = found.theta * speed, found.covariance
         scale, notes = found.scale, found.notes
-    variances = np.diagonal(covariance, axis1=1, axis2=2).max(axis=0)
+    variances = np.diagonal(covariances[-1], axis1=1, axis2=2).max(axis=0)
     errors = np.sqrt(np.maximum(variances, 0.0)) * speed
     estimator.turn = 0.0 if method == "tomography" else max(turns)
     if is_run:
@@ -278,6 +280,10 @@ def flow_of_legs(
         {
             "start_time": column(start, "last fix before the leg"),
             "end_time": column(end, "first fix after the leg"),
+            "start_latitude": of(legs, "lat_gps2", "latitude of the fix before", north),
+            "start_longitude": of(
+                legs, "lon_gps2", "longitude of the fix before", east
+            ),
             "latitude": of(learned, "latitude", "latitude of the fix", north),
             "longitude": of(learned, "longitude", "longitude of the fix", east),
             "predicted_latitude": of(forecasts, "latitude", "forecast latitude", north),
@@ -298,10 +304,10 @@ def flow_of_legs(
                 [*(r.standard_error for r in learned[:-1]), errors],
                 *("standard error of each row of theta", MPS, "basis"),
             ),
-            "covariance": (
-                ("axis", "basis", "other_basis"),
-                covariance * speed**2,
-                {"long_name": "covariance of each row of theta", "units": "m2 s-2"},
+            "covariance": column(
+                np.array(covariances) * speed**2,
+                *("covariance of each row of theta", "m2 s-2"),
+                *("axis", "basis", "other_basis"),
             ),
             "leg_flow": column(
                 np.array(shown) * speed, "mean flow along the leg", MPS, "axis"
@@ -321,8 +327,10 @@ def flow_of_legs(
             "has_origin": int(has_origin),  # else a made one, of a run in a plane
             "time_origin": str(np.datetime64(round(frame.time * 1e3), "ms")),
             "noise_scale": scale,
-            # standard deviation far from functions that die out, m/s
-            "unspanned_flow": estimator.settings.beside * speed,
+            # standard deviations far from functions or from the track, and beside functions that
+            # are the same everywhere, m/s
+            "unspanned_flow": unspanned * speed,
+            "scatter": estimator.scatter * (not is_spanned) * speed,
             # standard deviation of the walk of each parameter after 1 s, m/s
             "walk": (scenario.learning.law == WALKS)
             * estimator.settings.p.walk

@@ -49,7 +49,11 @@ def known_flow_scenario(scenario: Scenario, theta: np.ndarray) -> Scenario:
         values[f"learning.{learning.row.table}"] = None
     gains = learning.used_gains
     if scenario.left_out or learning.row.at_fixes:
-        values |= _simulated_truth(scenario, theta)
+        fed = scenario.with_values(values | _simulated_truth(scenario, theta))
+        names = ("feedback", "feedforward")  # gains of the vehicle, which the law knows
+        return fed.with_values(
+            {f"learning.{name}": getattr(fed.vehicle, name) for name in names}
+        )
     elif not learning.adapt_gains:
         values |= {"learning.gain": None, "learning.gains": None}
     elif learning.gains is not None:
@@ -63,11 +67,13 @@ def _simulated_truth(scenario: Scenario, theta: np.ndarray) -> dict[str, Any]:
     """Return tables for a run in the learned flow, of those that the scenario leaves out.
 
     The vehicle visits the centers of the functions and stays for as long as it takes to cross a
-    width at 1 m/s; the gain is that time's and that width's.
+    width at 1 m/s, if no reference says so; the gain is that time's and that width's.
     """
     width = float(scenario.basis.lengths.min())
     units = scenario.units
     dwell = width * METRES[units.length] / SECONDS[units.time]
+    if "reference" not in scenario.left_out:
+        dwell = scenario.reference.dwell
     points = list(dict.fromkeys(scenario.basis.centers))
     truth = {
         "flow": {"parameters": theta.tolist()},

@@ -59,16 +59,16 @@ KINDS = {  # kind of dataset -> its attribute; the first that is present decides
 }
 # variables and attributes of an estimate that are read, by their kinds of NumPy and dimensions
 ESTIMATE = {
-    "iuf leg": """leg latitude longitude predicted_latitude predicted_longitude forecast_radius
-    turn guaranteed""",
+    "iuf leg": """leg start_latitude start_longitude latitude longitude predicted_latitude
+    predicted_longitude forecast_radius turn guaranteed""",
     "M leg": "start_time end_time",
     "biu leg": "inside",
     "iuf leg axis": "position_error flow leg_flow",
     "iuf leg axis basis": "flow_parameters_estimate",
     "iuf leg basis": "standard_error",
-    "iuf axis basis other_basis": "covariance",
+    "iuf leg axis basis other_basis": "covariance",
     "iuf axis": "origin",
-    "iuf": "has_origin unspanned_flow walk noise_scale",
+    "iuf": "has_origin unspanned_flow scatter walk noise_scale",
     "U": "time_origin fix_law fix_method guarantee",
 }
 MOST_WAYPOINTS = 1e6  # visited in a run that is longer than its scenario
@@ -246,6 +246,19 @@ def read_estimate(
                 "of an older version. Estimate again"
             )
     return estimate, scenario
+
+
+def fixes_of(estimate: "xarray.Dataset") -> tuple[np.ndarray, np.ndarray]:
+    """Return latitudes and longitudes of all fixes, (2, m), and the number of the leg of each.
+
+    Each leg ends at a fix; it begins at that of the leg before, or at one of its own.
+    """
+    starts = estimate[["start_latitude", "start_longitude"]].to_array().values
+    ends = estimate[["latitude", "longitude"]].to_array().values
+    is_other = np.any(starts[:, 1:] != ends[:, :-1], axis=0)
+    own = np.flatnonzero(np.append(True, is_other))
+    legs = np.arange(ends.shape[1])
+    return np.insert(ends, own, starts[:, own], axis=1), np.insert(legs, own, own)
 
 
 def thinned(run: "xarray.Dataset", step: int) -> "xarray.Dataset":

@@ -20,7 +20,7 @@ def position(x, y):
     return float(np.degrees(latitude)), float(np.degrees(longitude) - 122.1)
 
 
-def learner(law="fix-regression", widths=WIDTH, **limits):
+def learner(law="fix-regression", widths=WIDTH, constituent="steady", **limits):
     scenario = clpt.Scenario(
         origin=(36.7, -122.1),
         units={"length": "km", "time": "h"},
@@ -28,7 +28,7 @@ def learner(law="fix-regression", widths=WIDTH, **limits):
             "kernel": "gaussian",
             "centers": (CENTERS / 1e3).tolist(),
             "widths": [widths / 1e3] * 3,
-            "constituents": ["steady"] * 3,
+            "constituents": [constituent] * 3,
         },
         learning={"law": law},
         localization={"interval": 1.0, "noise": NOISE / 3e3},
@@ -155,6 +155,15 @@ def test_the_command_prints_it(printed, clpt):
     outcome = clpt("estimate", "--sample", "--shear", "2e-5")
     assert "flow at the last fix: to 0.0" in " ".join(outcome.out.split())
     assert clpt("estimate", "--sample", "--shear", "0").status == 2
+
+
+def test_a_bound_that_is_none_says_why(printed):
+    """Shear x interval too large; a flow of tides is not constant, but its theta is."""
+    report = printed("estimate", "--sample", "--shear", "1e-4")
+    assert report["legs"][-1]["guaranteed_m_s"] is None
+    assert "Shear x interval is 1.1: give a smaller shear" in report["guarantee"]  # 3 h
+    assert "if theta is constant" in learner(constituent="M2").guarantee
+    assert "if it is constant" in learner().guarantee
 
 
 @pytest.mark.parametrize("name", ["shear", "unmodelled"])

@@ -320,6 +320,15 @@ def test_nmea_sentences_are_learned(nmea):
     assert second["note"] == ""
 
 
+@pytest.mark.long
+def test_a_log_in_which_nothing_was_read_says_so(nmea):
+    """A time before each sentence, as some loggers write; and a receiver without a fix."""
+    for log in ([f"12:00:00 {rmc(12, 0)}", vhw(90)], [rmc(12, 0, "V")]):
+        answers, told = nmea(log)
+        assert answers == []
+        assert "no RMC with a fix was read" in told
+
+
 @pytest.mark.parametrize("clock", [True, False])
 @pytest.mark.long
 def test_several_vhw_between_two_rmc_are_their_mean(nmea, clock):

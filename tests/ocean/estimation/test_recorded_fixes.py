@@ -257,6 +257,10 @@ def test_command_writes_scenario_figure_results_and_page(tmp_path, clpt, monkeyp
         np.array(known.learning.theta_estimate) / 3.6, report["theta_m_s"], rtol=1e-12
     )
     assert clpt("run", "known.toml", "--out", "run.nc")[0] == 0
+    run = sys.modules["clpt_control"].load_run("run.nc")
+    assert np.abs(run.clpe).max() < 1e-9
+    assert run.time[-1] == pytest.approx(48.0)  # h, of the mission
+    assert np.hypot(*run.reference.values.T).max() < 10.0  # km
     assert clpt("report", "l.nc", "-o", "page.html")[0] == 0
     page = (tmp_path / "page.html").read_text()
     assert "Flow learned from fixes" in page
@@ -331,9 +335,16 @@ def test_a_map_of_an_estimate_is_everywhere(tmp_path):
     latitude, longitude = place(x)
     flow = clpt.flow_map(data, [latitude], [longitude])
     phi = np.exp(-np.sum((x - CENTERS) ** 2, axis=1) / (2 * 8e3**2))
-    theta, P = data.flow_parameters_estimate.values[-1], data.covariance.values[0]
+    theta, P = data.flow_parameters_estimate.values[-1], data.covariance.values[-1][0]
     # functions show the flow at their centres, legs at their fixes but for a share of 1e-3
-    fixes = np.column_stack(PLANE(data.longitude, data.latitude))
+    first = data.isel(leg=[0])
+    fixes = np.column_stack(
+        PLANE(
+            np.append(first.start_longitude, data.longitude),
+            np.append(first.start_latitude, data.latitude),
+        )
+    )
+    leg_flow = np.vstack([first.leg_flow, data.leg_flow])
     shown_at = np.vstack([CENTERS, fixes])
 
     def kernel(a, b):
@@ -344,11 +355,28 @@ def test_a_map_of_an_estimate_is_everywhere(tmp_path):
     v = 0.5**2 * (1 - of_x @ np.linalg.solve(like, of_x))
     # the legs of the two nearest fixes differ from the map
     nearest = np.argsort(np.hypot(*(fixes - x).T))[:2]
-    off = np.mean((data.leg_flow.values[nearest] - theta @ phi) ** 2, axis=1).max()
+    off = np.mean((leg_flow[nearest] - theta @ phi) ** 2, axis=1).max()
     variance = phi @ P @ phi + v + kernel(fixes[nearest[0]], x) ** 2 * off
     expected = [*(theta @ phi), np.sqrt(variance)]
     shown = [float(flow[name].squeeze()) for name in ("u", "v", "standard_error")]
     np.testing.assert_allclose(shown, expected, rtol=2e-3)
+
+
+def test_a_map_of_some_legs_is_that_of_an_estimate_of_them(tmp_path):
+    """In any order of the legs; and its box begins at the first fix."""
+    rows = straight_mission(legs=9)
+    part = learned(write(tmp_path / "part.csv", rows[:4]))
+    whole = learned(write(tmp_path / "legs.csv", rows))
+    some = clpt.flow_map(whole.isel(leg=[2, 0, 3, 1]))
+    expected = clpt.flow_map(part)
+    for name in ("u", "v", "standard_error"):
+        np.testing.assert_allclose(some[name], expected[name], rtol=1e-9)
+    north = [row[2] for row in rows[:4]] + [rows[3][5]]
+    np.testing.assert_allclose(
+        [expected.latitude.min(), expected.latitude.max()],
+        [min(north), max(north)],
+        atol=1e-4,
+    )
 
 
 def test_a_file_without_the_flow_beside_the_functions_has_no_map(tmp_path):
@@ -376,8 +404,9 @@ def unknown(data, name):
     return data
 
 
-ATTRIBUTES = ("origin", "has_origin", "unspanned_flow", "walk")
-PLACES_READ = ("latitude", "longitude", "end_time")
+ATTRIBUTES = ("origin", "has_origin", "unspanned_flow", "scatter", "walk")
+STARTS = ("start_latitude", "start_longitude")
+PLACES_READ = ("latitude", "longitude", "end_time", *STARTS)
 READ = (*PLACES_READ, "leg_flow", "flow_parameters_estimate", "covariance", *ATTRIBUTES)
 TRACK_READ = (
     *PLACES_READ,
@@ -386,7 +415,7 @@ TRACK_READ = (
 )
 
 
-DRAWN = (*TRACK_READ[:2], *TRACK_READ[3:7], "flow", "origin")
+DRAWN = (*TRACK_READ[:2], *TRACK_READ[3:9], "flow", "origin")
 REPORTED = (
     *("start_time", "end_time", "position_error", "forecast_radius", "flow"),
     *("guaranteed", "flow_parameters_estimate", "standard_error", "turn"),
@@ -520,10 +549,12 @@ def test_errors_of_a_map_hold_the_flow_beside_the_functions(tmp_path, shear, val
 def test_a_constant_function_spans_a_uniform_flow(tmp_path):
     path = write(tmp_path / "legs.csv", straight_mission(flow=sheared(0.0)))
     data = learned(path, UNIFORM, **{"basis.widths": [1e8]})
-    far = clpt.flow_map(data, *place(np.array([2e5, 0.0])))
-    assert far.standard_error.item() == pytest.approx(
-        data.standard_error[-1].item(), rel=1e-9
-    )
+    far = clpt.flow_map(data, *place(np.array([9e5, 0.0])))
+    at_fix = data.standard_error[-1].item()
+    # the prior of 0.5 m/s far off, what the legs show beside the function at a fix
+    assert far.standard_error.item() == pytest.approx(np.hypot(0.5, at_fix), rel=1e-6)
+    near = clpt.flow_map(data, data.latitude[-1:], data.longitude[-1:])
+    assert at_fix < near.standard_error.item() < 0.02
 
 
 @pytest.mark.parametrize("shear", [0.0, 8e-6])
