@@ -330,6 +330,22 @@ class PointSearch:
         point = next(self.highest(sign * expression, True), None)
         return None if point is None else (point, self.value_at(expression, point))
 
+    def below_rest(
+        self, V: Expr, states: Any, rest: Mapping[Any, Expr] | None
+    ) -> Failure | None:
+        """Return a point at which V is below its value at a rest, and by how much.
+
+        If no rest is given it is one whose multiples have a V that falls without end: there the
+        part of V of highest degree is negative.
+        """
+        if rest is not None:
+            return self.sign_at(V - V.xreplace(rest), -1)
+        if not (V.is_polynomial(*states) and V.has(*states)):
+            return None
+        scale = sympy.Dummy()
+        scaled = sympy.Poly(V.xreplace({s: scale * s for s in states}), scale)
+        return self.sign_at(scaled.LC(), -1)
+
     def rate_above(self, rate: Expr, claim: Expr, still: bool) -> Failure | None:
         """Return a point at which V' of the running blocks is above a claim, and V'."""
         for highest in self.highest(rate - claim, still):

@@ -324,7 +324,7 @@ class SystemCandidate(LyapunovCandidate):
         over = "V' > 0" if self.claim is None else "V' is above the claim"
         for fails, find, holds in (
             (over, self._rises, fall.steps[0].holds),
-            (below, self._no_least, definite.step.holds),
+            (below, self._is_no_least, definite.step.holds),
         ):
             if holds:
                 continue
@@ -375,20 +375,9 @@ class SystemCandidate(LyapunovCandidate):
             return self.search.rises_far_off(self.rate)
         return self.search.rate_above(rate, zero, still=False)
 
-    def _no_least(self) -> Failure | None:
-        """Return a point at which V is below its value at the rest, and by how much.
-
-        If no rest is given it is one whose multiples have a V that falls without end: there the
-        part of V of highest degree is negative.
-        """
-        V, states = self.V, self.states
-        if self.rest is not None:
-            return self.search.sign_at(V - V.xreplace(self.rest), -1)
-        if not (V.is_polynomial(*states) and V.has(*states)):
-            return None
-        scale = Dummy()
-        scaled = sympy.Poly(V.xreplace({s: scale * s for s in states}), scale)
-        return self.search.sign_at(scaled.LC(), -1)
+    def _is_no_least(self) -> Failure | None:
+        """Return a point at which V is below its value at the rest, or falls without end."""
+        return self.search.below_rest(self.V, self.states, self.rest)
 
     # --- the questions --------------------------------------------------------------------------
 
