@@ -324,3 +324,17 @@ def test_a_recorded_scenario_in_a_window_inside_one_sample():
     )
     assert recorded.half_life == of_paper.half_life
     assert recorded.contraction == of_paper.contraction
+
+
+def test_a_regressor_that_jumps_with_a_state_is_refused():
+    """Times of such jumps are not among the times at which W is divided."""
+
+    def rates(t, x, u, p):
+        w = np.where(np.abs(x[0]) > 0.3, 1.0, 0.0)
+        return [-x[0] + w * x[1], -2 * w * x[0]]
+
+    loop = control.nlsys(rates, inputs=0, states=["e", "h"], outputs=["e", "h"])
+    found = clpt.lyapunov(loop, lambda s: s.e**2 / 2 + s.h**2 / 4)
+    run = clpt.simulate(loop, np.linspace(0, 20, 21), initial_state=[4.0, -3.0])
+    with pytest.raises(clpt.DiagramError, match="may jump where a state passes"):
+        clpt.gramian(run, 10.0, 5.0, of=found)

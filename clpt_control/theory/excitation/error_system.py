@@ -22,6 +22,7 @@ from ...engine.diagram.symbol_names import TIME, element_name
 from ...engine.diagram.symbolic_equations import Equations, on_symbols
 from ...simulation.comparison import STATES, ports_along
 from ..algebra.exact import as_factors, normal_form, vanishes
+from ..algebra.facts import functions_in, is_continuous
 from ..algebra.numeric_values import NumericValues
 from ..algebra.texts import short
 from .state_curves import Along, states_along
@@ -187,6 +188,12 @@ def error_system_of(verdict: Any, names: Sequence[str], run: Any) -> ErrorSystem
             raise DiagramError(
                 f"of: {y}' = {short(rates[y])}: is not -G W^T P e with the G of V"
             )
+    steps = {f for f in functions_in(sympy.Tuple(*W)) if f.has(*states)}
+    if not is_continuous(sympy.Tuple(*steps)):
+        raise DiagramError(
+            f"of: W has {min(map(short, steps))}, which may jump where a state passes a number. "
+            "Give a loop whose W is continuous in its states"
+        )
     # Step 5: coordinates in which V is half the sum of squares
     Q = -P * A - A.T * P
     if not (P.is_positive_definite and Q.is_positive_semidefinite):
