@@ -103,10 +103,8 @@ def end_of(name: str, value: Any, is_upper: bool) -> Any:
 def check_ordered(where: str, *ends: Any) -> None:
     """Refuse ends that are no interval."""
     lower, upper = (numbers(where, end) for end in ends)
-    are_pairs = lower.size * upper.size and (
-        lower.shape == upper.shape or not lower.ndim * upper.ndim
-    )
-    if not are_pairs or not np.all((lower <= upper) & np.isfinite(upper - lower)):
+    is_ordered = lower.shape == upper.shape and lower.size
+    if not is_ordered or not np.all((lower <= upper) & np.isfinite(upper - lower)):
         raise ArgumentError(
             f"{where}: must be a pair (lower, upper) with lower <= upper, a finite width and one "
             "shape. Several numbers are a list"
@@ -117,7 +115,9 @@ def check_pairs(inputs: Any, initial_state: Any, params: Mapping[str, Any]) -> N
     """Refuse pairs that may be read in two ways."""
     for name, given in (("inputs", inputs), ("initial_state", initial_state)):
         if is_pair(given) and not any(
-            str in map(type, attribute_of(end, "keys", dict)()) for end in given
+            isinstance(end, control.TimeResponseData)
+            or str in map(type, attribute_of(end, "keys", dict)())
+            for end in given
         ):
             raise ArgumentError(
                 f"{name} = {brief(given)}: may be one pair or two numbers. Give a list, or a "
@@ -135,11 +135,7 @@ def check_ports(argument: str, given: Any, labels: list[str]) -> None:
     """Refuse two numbers for a port of several, which may be one pair of each."""
     ports = ports_of(labels)
     for key, entry in given.items() if has(given, "items") else ():
-        if (
-            is_pair(entry)
-            and not any(map(np.ndim, entry))
-            and len(ports.get(key, ())) == 2
-        ):
+        if is_pair(entry) and not np.ndim(entry[0]) and len(ports.get(key, ())) == 2:
             raise ArgumentError(
                 f"{argument}[{key!r}] = {brief(entry)}: may be one pair or two numbers. Give a "
                 "list of pairs, or ends that are lists"
@@ -165,10 +161,10 @@ def enclose(
     ----------
     system, timepts, inputs, initial_state, params
         As of `simulate`; each number in a list or mapping may be a pair, of an array of parameters
-        a pair of arrays. Each end is read alone as `simulate` reads a value: by names, times and
-        units, and 0 for what a mapping leaves out. Both ends may be mappings, or pandas data
-        with names, in one unit, and samples of an input at other times. Times,
-        if none are given, are those of the lower end.
+        a pair of arrays. Each end is read alone, as `simulate` reads a value: by names, times and
+        units, and 0 for what a mapping leaves out. Both ends have one unit. They may be mappings,
+        pandas data with names or responses, and samples of an input at other times. Times, if none
+        are given, are those of the lower end.
     pieces
         Into how many pieces a wide set is divided at most, one after the other where boxes end
         first or grow most. `pieces` take about 2 `pieces` times the CPU of one.

@@ -184,6 +184,12 @@ INPUTS = {
     "Datasets": (xr.Dataset({"u": ramp}), xr.Dataset({"u": falling})),
     "a Dataset and a response": (xr.Dataset({"u": ramp}), response),
     "a dict and a table": ({"u": ramp}, table),
+    "responses": (
+        control.TimeResponseData(
+            [0.0, 2.0], [[0.0, 2.0]], output_labels=["u"], issiso=False
+        ),
+        response,
+    ),
     "a list of a pair": [(ramp, falling)],
     "a table with names and a dict": (
         pd.DataFrame({"u": [0.0, 2.0]}, index=[0.0, 2.0]),
@@ -243,19 +249,6 @@ def test_a_number_and_samples_take_the_largest_width():
     low, high = box(tube, "x[0]")
     assert -0.26 < low <= 0.0
     assert 0.5 <= high < 0.76
-
-
-def test_a_number_is_the_end_of_all_signals_and_samples():
-    """x0' from 0 to 1 and x1' from 0 to 2; then from t, of integral 1/2, to 2."""
-    tube = clpt.enclose(integral(), TIMES, {"d[0]": (TIMES, 2), "d[1]": 0}, [0.0, 0.0])
-    low, high = box(tube, "x[0]")
-    assert -0.01 < low <= 0.5
-    assert 2.0 <= high < 2.51
-    tube = clpt.enclose(integral(), TIMES, {"d": (0, [1, 2])}, [0.0, 0.0])
-    for name, end in (("x[0]", 1.0), ("x[1]", 2.0)):
-        low, high = box(tube, name)
-        assert -1e-9 < low <= 0
-        assert end <= high < end + 1e-9
 
 
 jump = over([0.0, 1.0, 1.0], [1.0, 1.0, -9.0])
