@@ -115,7 +115,7 @@ def check_pairs(inputs: Any, initial_state: Any, params: Mapping[str, Any]) -> N
     """Refuse pairs that may be read in two ways."""
     for name, given in (("inputs", inputs), ("initial_state", initial_state)):
         if is_pair(given) and not any(
-            isinstance(end, control.TimeResponseData)
+            isinstance(end, Mapping | control.TimeResponseData)
             or str in map(type, attribute_of(end, "keys", dict)())
             for end in given
         ):
