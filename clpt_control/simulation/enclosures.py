@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from contextlib import suppress
+from itertools import product
 from typing import TYPE_CHECKING, Any
 
 import control
@@ -10,12 +11,13 @@ import numpy as np
 from ..base.arguments import Count, attribute_of, brief, has, numbers, public
 from ..base.errors import ArgumentError, SimulationError, Uncompiled
 from ..base.figures import BLUE, literal
-from ..base.labelled import Labelled, unlabelled
+from ..base.labelled import Labelled, unit_of, unlabelled
 from ..engine.codegen.diagram_record import DiagramRecord, Form
 from ..engine.codegen.directional_derivatives import read_as_number
 from ..engine.enclosure.balls import Ball, between
 from ..engine.enclosure.set_program import SetProgram
 from ..engine.enclosure.sets import Enclosure, enclosed
+from ..engine.model.declaration import same_unit
 from ..engine.model.ports import ports_of, whole_labels
 from ..engine.record.unread import Unread
 from ..engine.solver.engine_choice import difference
@@ -24,7 +26,7 @@ from ..engine.solver.native_diagram import NativeDiagram
 from ..engine.solver.termination import Solution
 from .comparison import panels_for
 from .diagram_runs import DiagramRun, distinct_labels, fields_of
-from .requests import Request, joined, request_of
+from .requests import Request, as_diagram, joined, request_of, start_of
 
 if TYPE_CHECKING:
     import xarray
@@ -60,6 +62,19 @@ def is_labelled(end: Any) -> bool:
     return any(has(end, name) for name in LABELS)
 
 
+def check_units(where: str, *ends: Any) -> None:
+    """Refuse ends in two units, also by name: x[0] is in the unit of x."""
+    low, high = map(unit_of, ends)
+    if low and high and not same_unit(low, high):
+        raise ArgumentError(
+            f"{where}: its lower end is in '{low}', its upper end in '{high}'; must be in one unit"
+        )
+    if all(isinstance(end, Mapping) for end in ends):
+        for a, b in product(*ends):
+            if f"{a}[".startswith(f"{b}[") or f"{b}[".startswith(f"{a}["):
+                check_units(f"{where}[{a!r}]", ends[0][a], ends[1][b])
+
+
 def end_of(name: str, value: Any, is_upper: bool) -> Any:
     """Return an argument with the lower or upper end in the place of each pair.
 
@@ -71,6 +86,7 @@ def end_of(name: str, value: Any, is_upper: bool) -> Any:
                 f"{name} = {brief(value)}: may be two pairs or the ends of one. Give ends that are "
                 "lists, of a port a list of pairs"
             )
+        check_units(name, *value)
         if not any(map(is_labelled, value)):
             check_ordered(f"{name} = {brief(value)}", *value)
         end = value[is_upper]
@@ -98,7 +114,11 @@ def check_ordered(where: str, *ends: Any) -> None:
 def check_pairs(inputs: Any, initial_state: Any, params: Mapping[str, Any]) -> None:
     """Refuse pairs that may be read in two ways."""
     for name, given in (("inputs", inputs), ("initial_state", initial_state)):
-        if is_pair(given) and not any(isinstance(end, Mapping) for end in given):
+        if is_pair(given) and not any(
+            isinstance(end, Mapping | control.TimeResponseData)
+            or str in map(type, attribute_of(end, "keys", dict)())
+            for end in given
+        ):
             raise ArgumentError(
                 f"{name} = {brief(given)}: may be one pair or two numbers. Give a list, or a "
                 "mapping"
@@ -141,9 +161,10 @@ def enclose(
     ----------
     system, timepts, inputs, initial_state, params
         As of `simulate`; each number in a list or mapping may be a pair, of an array of parameters
-        a pair of arrays. Ends are read as values are, by names, times and units. Both ends may be
-        mappings, and samples of an input at other times. Times, if none are given, are those of
-        the lower end.
+        a pair of arrays. Each end is read alone, as `simulate` reads a value: by names, times and
+        units, and 0 for what a mapping leaves out. Both ends have one unit. They may be mappings,
+        pandas data with names or responses, and samples of an input at other times. Times, if none
+        are given, are those of the lower end.
     pieces
         Into how many pieces a wide set is divided at most, one after the other where boxes end
         first or grow most. `pieces` take about 2 `pieces` times the CPU of one.
@@ -182,14 +203,13 @@ def enclose(
         for is_upper in (False, True)
     ]
     try:
-        requests = requests_of(system, timepts, ends)
+        requests, at, lower, upper = requests_of(system, timepts, ends)
         request = requests[0]
         with request.drawn_around():
             made = DiagramRun(request.diagram, ends[0][2], request.sizes, "python")
         check_ports("inputs", inputs, made.input_labels)
         check_ports("initial_state", initial_state, made.states)
         low, high = (one.start for one in requests)
-        (at, lower), (_, upper) = (one.inputs.samples for one in requests)
         names = made.states + made.input_labels
         for name, *both in zip(names, [*low, *lower], [*high, *upper], strict=True):
             check_ordered(name, *both)
@@ -279,29 +299,32 @@ def names_of(made: DiagramRun, signals: SetProgram) -> list[str]:
     return names
 
 
-def requests_of(system: Any, timepts: Any, ends: list[Any]) -> list[Request]:
-    """Return requests with the lower and the upper inputs and states, read by one clock."""
+def requests_of(system: Any, timepts: Any, ends: list[Any]) -> tuple[Any, ...]:
+    """Return requests with lower and upper inputs and states, read by one clock, and samples.
+
+    The samples have the times of both, with lower and upper inputs, from the first to the last of
+    the run.
+    """
     (u, x, _), (u_high, x_high, _) = ends
     low = request_of(system, timepts, u, x, multiples=True)
-    both = [low, low.with_inputs(u_high).with_state(x_high)]
-    # inputs of both at the times of both, from the first to the last of the run
+    default = as_diagram(low.diagram)[1].get("initial_state")
+    start = start_of(low.diagram, x_high, default, len(low.start))
+    requests = [low, low.with_inputs(u_high)._replace(start=start)]
     edges = low.times[[0, -1]]
     rows = [
         Labelled(row, one.inputs.samples[0] if len(row) > 1 else None)
-        for one in both
+        for one in requests
         for row in one.inputs.samples[1]
     ]
     rows.append(Labelled(edges, edges))
     t, values = joined(rows, edges, edges).samples
-    begin, end = t.searchsorted(edges[0], "right") - 1, t.searchsorted(edges[1]) + 1
-    t, values, count = t[begin:end], values[:, begin:end], len(low.inputs.samples[1])
-    lower, upper = values[:count], values[count : 2 * count]
+    begin, end = t.searchsorted(edges, "right") - [1, 0]
+    lower, upper = np.split(values[:-1, begin:end], 2)
     # numbers between samples are rounded
     size = np.max(np.abs(upper), axis=1, keepdims=True, initial=0.0)
     are_close = lower - upper <= ROUNDING * size
-    inputs = lower, np.where(are_close, np.maximum(lower, upper), upper)
-    pairs = zip(both, inputs, strict=True)
-    return [one._replace(inputs=Inputs((t, rows))) for one, rows in pairs]
+    upper = np.where(are_close, np.maximum(lower, upper), upper)
+    return requests, t[begin:end], lower, upper
 
 
 def natives_of(

@@ -60,6 +60,7 @@ STATES = {
         xr.Dataset({"x[0]": 3.5, "x[1]": 2.0}),
     ),
     "a Dataset and a dict": (xr.Dataset({"x[1]": 1.0, "x[0]": 3.0}), HIGH),
+    "Series as a whole": (low_series, pd.Series(HIGH)),
     "a Series of pairs": pd.Series({"x[1]": (1.0, 2.0), "x[0]": (3.0, 3.5)}),
     "a list of pairs": [(3.0, 3.5), (xr.DataArray(1.0), 2)],
     "32 bits": {"x": (np.float32([3.0, 1.0]), low_rows.astype("f4") + STEPS)},
@@ -114,6 +115,36 @@ def test_ends_in_the_unit_of_the_model_are_taken():
     check_box(box(tube, "h[0]"), math.exp(-1), 2 * math.exp(-1))
 
 
+kilometre = xr.DataArray(2.0, attrs={"units": "km"})
+TWO_UNITS = {
+    "an input": ({"u": (metre, kilometre)}, [0.0], {}),
+    "a list": ([(metre, kilometre)], [0.0], {}),
+    "Datasets": ((xr.Dataset({"u": metre}), xr.Dataset({"u": kilometre})), [0.0], {}),
+    "a port and its signal": (({"u": metre}, {"u[0]": kilometre}), [0.0], {}),
+    "a state": ({"u": 0}, {"x": (metre, kilometre)}, {}),
+    "a parameter": ({"u": 0}, [0.0], {"m.k": (metre, kilometre)}),
+}
+
+
+@pytest.mark.parametrize("given", TWO_UNITS.values(), ids=TWO_UNITS)
+def test_ends_in_two_units_are_refused_where_none_is_declared(given):
+    with pytest.raises(clpt.ArgumentError, match="in 'm', its upper end in 'km'; must"):
+        clpt.enclose(follows(), [0, 1], *given)
+
+
+def test_each_end_is_read_alone_where_it_leaves_out_a_state():
+    """The state z is from -2 to 0, as simulate takes 0 for what a mapping leaves out."""
+    model = clpt.Block(
+        "m", update=lambda t, x, u, p: {"x": -x.x, "z": -x.z}, states={"x": 1, "z": 1}
+    )
+    tube = clpt.enclose(model, [0, 1], None, ({"x": -1, "z": -2}, {"x": 1}))
+    low, high = box(tube, "z[0]")
+    assert -2 * math.exp(-1) - 1e-9 <= low <= -2 * math.exp(-1)
+    assert 0 <= high < 1e-9
+    with pytest.raises(clpt.ArgumentError, match=r"z\[0\]: .* lower <= upper"):
+        clpt.enclose(model, [0, 1], None, ({"x": -1, "z": 5}, {"x": 1}))
+
+
 # --- inputs --------------------------------------------------------------------------------------
 
 
@@ -129,7 +160,11 @@ def integral():
 
 def follows():
     return clpt.Block(
-        "m", update=lambda t, x, u, p: u.u, states={"x": 1}, inputs={"u": 1}
+        "m",
+        update=lambda t, x, u, p: p.k * u.u,
+        states={"x": 1},
+        inputs={"u": 1},
+        parameters={"k": 1.0},
     )
 
 
@@ -149,7 +184,21 @@ INPUTS = {
     "Datasets": (xr.Dataset({"u": ramp}), xr.Dataset({"u": falling})),
     "a Dataset and a response": (xr.Dataset({"u": ramp}), response),
     "a dict and a table": ({"u": ramp}, table),
+    "responses": (
+        control.TimeResponseData(
+            [0.0, 2.0], [[0.0, 2.0]], output_labels=["u"], issiso=False
+        ),
+        response,
+    ),
     "a list of a pair": [(ramp, falling)],
+    "a table with names and a dict": (
+        pd.DataFrame({"u": [0.0, 2.0]}, index=[0.0, 2.0]),
+        {"u": falling},
+    ),
+    "tables with names": (
+        pd.DataFrame({"u": [0.0, 2.0]}, index=[0.0, 2.0]),
+        table.set_index("time"),
+    ),
 }
 
 
@@ -200,6 +249,54 @@ def test_a_number_and_samples_take_the_largest_width():
     low, high = box(tube, "x[0]")
     assert -0.26 < low <= 0.0
     assert 0.5 <= high < 0.76
+
+
+jump = over([0.0, 1.0, 1.0], [1.0, 1.0, -9.0])
+AT_THE_END = {  # dt, the input and the output at 1, x(1) + u(1)
+    "labels": (0, {"u": jump}, 1 - 9),
+    "a repeated time": (0, {"u": [1.0, 1, 1, -9]}, 1 - 9),
+    "a pair": (0, {"u": (jump, 2.0)}, 1 - 9),
+    "a map": (0.5, {"u": jump}, 2 - 9),
+    "a map of a pair": (0.5, {"u": (jump, 2.0)}, 2 - 9),
+}
+
+
+@pytest.mark.parametrize("given", AT_THE_END.values(), ids=AT_THE_END)
+def test_the_last_box_is_after_a_jump_of_an_input(given):
+    dt, inputs, value = given
+    model = clpt.Block(
+        "m",
+        update=lambda t, x, u, p: x.x + u.u if dt else u.u,
+        **{"states": {"x": 1}, "inputs": {"u": 1}, "outputs": {"a": 1}, "dt": dt},
+        output=lambda t, x, u, p: {"a": x.x + u.u},
+    )
+    times = [0, 0.5, 1, 1] if isinstance(inputs["u"], list) else TIMES
+    tube = clpt.enclose(model, times, inputs, [0.0])
+    low, high = box(tube, "a[0]")
+    assert low - 1e-9 <= value <= high + 1e-9
+    if not isinstance(inputs["u"], tuple):
+        assert high - low < 1e-9
+
+
+LATER = {  # an input, and whether boxes may hold for ever
+    "varies later": ({"u": over([0, 1, 2], [0, 0, 90])}, False),
+    "varies later in one end": ({"u": (0, over([0, 1, 2], [0, 0, 90]))}, False),
+    "is constant": ({"u": over([0, 1, 2], [0, 0, 0])}, True),
+}
+
+
+@pytest.mark.parametrize("dt", [0, 0.5])
+@pytest.mark.parametrize(("inputs", "is_kept"), LATER.values(), ids=LATER)
+def test_boxes_do_not_hold_for_ever_if_an_input_varies_after_the_run(
+    dt, inputs, is_kept
+):
+    model = clpt.Block(
+        "m",
+        update=lambda t, x, u, p: u.u + (0.5 * x.x if dt else -x.x),
+        **{"states": {"x": 1}, "inputs": {"u": 1}, "dt": dt},
+    )
+    tube = clpt.enclose(model, TIMES, inputs, [(-1.0, 1.0)])
+    assert ("hold for ever" in tube.message) == is_kept
 
 
 def test_ports_of_an_input_are_read_by_name():
