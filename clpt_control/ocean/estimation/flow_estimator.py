@@ -394,7 +394,7 @@ class FlowEstimator:
 
     @property
     def scatter(self) -> float:
-        """Standard deviation of the flow beside theta phi, in the mean over a leg."""
+        """Standard deviation of a leg's mean flow beside theta phi."""
         squares = [guess.factors[1] for guess in self.guesses.states]
         return float(self.guesses.weights @ squares) ** 0.5 * self.settings.scatter
 

@@ -44,7 +44,7 @@ def short(expression: Any, most: int | None = 160) -> str:
     >>> short(gains[2] * x)
     '1.2857142857142856*x'
     >>> short(sympy.Poly(gains, x).as_expr(), 80)
-    'x**11 + 1.14286*x**10 + 1.28571*x**9 + 1.42857*x**8 + 1.57143*x**7 ... (6 digits)'
+    'x**11 + 1.142857*x**10 + 1.285714*x**9 + 1.428571*x**8 + ... (6 digits)'
     """
     text = _text(expression, DIGITS)
     if most is None or len(text) <= most:
@@ -58,7 +58,7 @@ def _text(expression: Any, digits: int) -> str:
     """Return an expression as text, with so many digits of long numbers."""
     if not isinstance(expression, sympy.Basic):
         return _plain(f"{expression}")
-    text = f"{rounded(expression, digits)}"
+    text = str(rounded(expression, digits))
     for symbol in expression.atoms(sympy.Dummy):
         text = text.replace(f"_{symbol.name}", symbol.name)
     return _plain(text)

@@ -232,7 +232,7 @@ def not_learnable_of(excitation: Any) -> list[str]:
         sentences += [f"{name} is not learnable on this track" for name in single]
         if mixed:
             sentences.append(
-                f"{listed(mixed)} are not learnable one by one on this track"
+                f"{listed(mixed)!s} are not learnable one by one on this track"
             )
     return sentences
 

@@ -125,7 +125,7 @@ class SystemCandidate(LyapunovCandidate):
         for s in self.relations.solved:
             if str(s) in where:
                 raise DiagramError(
-                    f"where: {s} is given by a relation, {self.relations.text}. Give bounds of "
+                    f"where: {s} is given by a relation, {self.relations.text!s}. Give bounds of "
                     "the other states"
                 )
         self.where = Where(where, self.states, self.inputs, self.V)
