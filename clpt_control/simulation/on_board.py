@@ -52,7 +52,14 @@ def learner_file(
             f"{system.name}: has no learner. Give a scenario, or a closed_loop of one"
         )
     scenario = loop.scenario
-    if watch and params:
+    diagram = learner(loop, name, watch)
+    # the loop's numbers of blocks that the learner has
+    diagram.params |= {
+        key: value
+        for key, value in getattr(system, "params", {}).items()
+        if key.partition(".")[0] in diagram.params
+    }
+    if watch and (params or any("." in key for key in diagram.params)):
         raise ClptError(
             "watch: has the numbers of its gramian, not those of params. Give them in the scenario"
         )
@@ -63,7 +70,7 @@ def learner_file(
                 "and see docs/on_board.md for late fixes"
             )
         params = {**(params or {}), "adaptation.interval": 0.0}
-    return c_file(learner(loop, name, watch), initial_state, params, LearnerFile)
+    return c_file(diagram, initial_state, params, LearnerFile)
 
 
 def received(t, x, u, p):

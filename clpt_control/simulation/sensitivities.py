@@ -119,6 +119,18 @@ class SensitivityRun(DiagramRun):
             [value_at(location, parameters, start) for location in locations]
         )
 
+    def check_alike(self) -> None:
+        """Refuse a name of several numbers that differ: the run has no one value of it."""
+        parameters = self.runner.block_parameters
+        for name, location in self.locations.items():
+            places = [location._replace(fields=(field,)) for field in location.fields]
+            numbers = {float(value_at(place, parameters, ())) for place in places}
+            if len(numbers) > 1:
+                raise SimulationError(
+                    f"to: {name} has several values in the run, {min(numbers):.6g} to "
+                    f"{max(numbers):.6g}. Name one of them by its block, as in 'BLOCK.{name}'"
+                )
+
     def with_values(self, values: np.ndarray) -> tuple[list[Any], np.ndarray]:
         """Return the parameters of blocks and the initial state with values of varied numbers."""
         at = zip(self.locations.values(), values, strict=True)
@@ -268,6 +280,7 @@ def sensitivity(
     system_run = SensitivityRun(
         system, timepts, to, inputs, initial_state, params, **solver
     )
+    system_run.check_alike()
     run = system_run.at(system_run.values)
     system_run.confirm(system_run.values, run)
     data = _dataset(system_run, run)

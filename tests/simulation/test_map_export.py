@@ -343,7 +343,7 @@ def test_a_map_of_an_estimate_has_standard_errors(tmp_path, method):
 def test_fixes_of_an_estimate_with_the_regions_of_their_forecasts(
     legs, suffix, clpt, tmp_path
 ):
-    """A region is a circle about the forecast; a line has two fixes at least."""
+    """A region is a circle about the forecast; the line begins at the first fix."""
     source, path = tmp_path / "learned.nc", tmp_path / f"track.{suffix}"
     clpt("estimate", "--sample", "--results", source)
     with xarray.open_dataset(source) as found:
@@ -356,7 +356,7 @@ def test_fixes_of_an_estimate_with_the_regions_of_their_forecasts(
     )
     if suffix == "kml":
         marks = [*ElementTree.parse(path).iter(f"{{{NAMESPACE}}}Placemark")]
-        assert len(marks) == 2 * legs + (legs > 1)
+        assert len(marks) == 2 * legs + 1
         when = f"{{{NAMESPACE}}}when"
         times = [mark.find(f".//{when}") for mark in marks]
         assert sum(time is not None for time in times) == legs
@@ -366,7 +366,8 @@ def test_fixes_of_an_estimate_with_the_regions_of_their_forecasts(
     for feature in features:
         shape = feature["geometry"]
         shapes[shape["type"]].append(shape["coordinates"])
-    assert len(shapes["LineString"]) == (legs > 1)
+    [line] = shapes["LineString"]
+    np.testing.assert_allclose(line[1:], fixes, atol=1e-6)
     np.testing.assert_allclose(shapes["Point"], fixes, atol=1e-6)
     radii = learned.forecast_radius.values
     for (region,), (lon, lat), radius in zip(

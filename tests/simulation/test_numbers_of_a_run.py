@@ -413,3 +413,40 @@ def test_complex_params_are_refused_in_every_verb(k):
     prepared = clpt.prepare(PLANT, TIMES, u, x, {"k": 1.0})
     with pytest.raises(clpt.ClptError, match=r"params\['k'\]"):
         prepared(params={"k": k})
+
+
+def lag_of_gain(name, source, target, k):
+    return control.nlsys(
+        lambda t, x, u, p: -x[0] + p["k"] * u[0],
+        inputs=source,
+        outputs=target,
+        states=1,
+        params={"k": k},
+        name=name,
+    )
+
+
+def test_a_name_of_numbers_that_differ_has_no_one_derivative():
+    """y = a.k b.k e(t) of two lags in a row, e = 1 - (1 + t) exp(-t)."""
+    two = [lag_of_gain("a", "u", "w", 1.0), lag_of_gain("b", "w", "y", 1.0)]
+    loop = control.interconnect(two, inputs="u", outputs="y", name="loop")
+    t, e = [0.0, 2.0], 1 - 3 * np.exp(-2)
+    slopes = clpt.sensitivity(loop, t, of="y", to=["k", "a.k"], inputs=1.0)
+    np.testing.assert_allclose(slopes.y.values[-1].ravel(), [2 * e, e], rtol=1e-6)
+    with pytest.raises(clpt.SimulationError, match="k has several values in the run"):
+        clpt.sensitivity(loop, t, of="y", to="k", inputs=1.0, params={"a.k": 3.0})
+    slopes = clpt.sensitivity(
+        loop, t, of="y", to="b.k", inputs=1.0, params={"a.k": 3.0}
+    )
+    np.testing.assert_allclose(slopes.y.values[-1].ravel(), [3 * e], rtol=1e-6)
+
+
+def test_the_learner_has_the_numbers_of_its_loop():
+    scenario = clpt.paper_scenario()
+    loop = clpt.closed_loop(scenario)
+    loop.params["adaptation.gain"] = 2.0
+    changed = scenario.with_values({"learning.gain": 2.0})
+    right = clpt.export(changed, part="learner")
+    assert clpt.export(loop, part="learner") == right
+    loop.params["true_flow.theta"] = np.ones((2, 3))  # the learner has no such block
+    assert clpt.export(loop, part="learner") == right
