@@ -34,7 +34,7 @@ NO_FIX = "the position carries no measurement and is no fix"
 Array = np.ndarray
 EXACT = 0.02  # m, of a computed position
 ROUNDED = 0.7  # of the resolution, 95 % of residuals
-SLOWER = 1.7e-3  # of the vehicle's own motion, by rounding and other axes
+SLOWER = 2.5e-3  # of the vehicle's own motion, by rounding and other axes
 JITTER, OF_STEP, LARGEST = 2.0, 0.035, 10.0  # m, of a step, and m, of jitter
 FAR = 4.0  # tolerances that the residual at a fix is at least
 QUIETEST = 1.0  # m, noise of a fix on each axis, the smallest
@@ -269,7 +269,8 @@ def _agreement(rows: Rows, rule: Rule) -> Agreement:
     inside = moves & (off <= tolerance)
     # a fix is in less residuals than a wild one
     far = np.minimum(off, unusual) > FAR * tolerance
-    breaks = [(a, b) for a, b in _runs(~inside) if np.any(far[a:b])]
+    near = moves & (off <= FAR * tolerance)
+    breaks = [(a, b) for a, b in _runs(~near) if np.any(far[a:b])]
     alone = [
         (a, b) for a, b in breaks if a > 0 and b < len(inside) and b - a < rule.size
     ]
@@ -283,17 +284,20 @@ def _agreement(rows: Rows, rule: Rule) -> Agreement:
     if rule.jitter and rule.size == 3:  # turns that no line follows
         turns = own > FAR * tolerance
         shown &= 2 * np.sum(turns & inside) > np.sum(turns) + 3
-    return Agreement(inside, moves & (off <= FAR * tolerance), alone, bool(shown))
+    return Agreement(inside, near, alone, bool(shown))
 
 
 def _followers(rows: Rows, rule: Rule, agreement: Agreement) -> tuple[str, Array]:
     """Return the kind and the numbers of rows that follow a rule; the others are fixes."""
     if rule.size == 3:
-        inner = np.flatnonzero(agreement.near) + 1
-        jumps = [begin + 1 for begin, end in agreement.breaks if end - begin == 2]
-        if 2 * len(jumps) <= len(agreement.breaks):
-            return rule.kind, inner
-        return "reckoned", np.union1d(inner, jumps)  # and the rows before the jumps
+        # a jump is in two residuals, in one at the end; the row before it is computed
+        breaks = [*_runs(~agreement.near)]
+        count = len(agreement.near)
+        jumps = [
+            begin + 1 for begin, end in breaks if end - begin == 2 - (end == count)
+        ]
+        kind = "reckoned" if 2 * len(jumps) > len(breaks) else rule.kind
+        return kind, np.union1d(np.flatnonzero(agreement.near) + 1, jumps).astype(int)
     near = np.append(agreement.near, False)
     firsts, lasts = np.array([*_runs(agreement.near)], int).reshape(-1, 2).T
     middles = (firsts + lasts) // 2
