@@ -115,16 +115,16 @@ def unmeasured(time: Array, positions: Array, steps: Array) -> Array:
     for begin, end in _runs(repeated):
         run = rows.only(np.arange(begin, end + 1))
         repeated[begin:end] = _is_held(run, 5.0 * MINUTE, RARE)
-    _, held = _followers(rows, HELD, Agreement(repeated, repeated, []))
+    _, held = _followers(rows, HELD, Agreement(repeated, repeated))
     kinds[held] = "held"
     for rule in LEFT_OUT:
         fixes = np.flatnonzero(kinds == "")
         left = rows.only(fixes)
-        if any(_follows(_thinned(left, scale), rule) for scale in SCALES):
-            agreement = _agreement(left, rule)
-            kind, members = _followers(left, rule, agreement)
-            if agreement.breaks:
-                kinds[fixes[members]] = kind
+        count = max(_count_of_fixes(_thinned(left, scale), rule) for scale in SCALES)
+        kind, members = _followers(left, rule, _agreement(left, rule))
+        stay = len(left.time) - len(members)
+        if count and (stay <= 1.5 * count or _ratio(left, members) < 1.0):
+            kinds[fixes[members]] = kind
     return kinds
 
 
@@ -232,14 +232,13 @@ def _weights(rows: Rows, rule: Rule) -> Array:
 
 
 class Agreement(NamedTuple):
-    """Residuals that are small, those that are not large, and breaks between them at fixes.
+    """Residuals that are small, and those that are not large.
 
     It is shown if noise makes fewer residuals small.
     """
 
     inside: Array
     near: Array
-    breaks: list[tuple[int, int]]
     is_shown: bool = False
 
 
@@ -248,7 +247,7 @@ def _agreement(rows: Rows, rule: Rule) -> Agreement:
     spans, drifts = np.diff(rows.time), not np.any(np.abs(rows.water) > MOVED)
     if len(spans) <= rule.size or (drifts and rule.jitter and rule.size > 2):
         nothing = np.zeros(max(len(spans) + 2 - rule.size, 0), bool)
-        return Agreement(nothing, nothing, [])
+        return Agreement(nothing, nothing)
     velocity = rows.drift / spans
     usual = np.nanmedian(velocity.real) + 1j * np.nanmedian(velocity.imag)
     weights = _weights(rows, rule)
@@ -271,20 +270,20 @@ def _agreement(rows: Rows, rule: Rule) -> Agreement:
     far = np.minimum(off, unusual) > FAR * tolerance
     near = moves & (off <= FAR * tolerance)
     breaks = [(a, b) for a, b in _runs(~near) if np.any(far[a:b])]
-    alone = [
-        (a, b) for a, b in breaks if a > 0 and b < len(inside) and b - a < rule.size
-    ]
-    if len(alone) <= max(len(breaks) / 2, 1):
-        alone = []
+    if rule.size > 2:  # of rows that are alike on both sides
+        at_fix = [
+            (a, b) for a, b in breaks if a > 0 and b < len(near) and b - a < rule.size
+        ]
+        breaks = at_fix * (2 * len(at_fix) > len(breaks))
     chance = -np.expm1(-(tolerance**2) / (2 * QUIETEST**2))
     spread = np.sqrt(rule.size / 2 * np.sum(chance * (1.0 - chance)))
     by_noise = np.sum(chance) + MANY * spread + rule.size
-    shown = bool(alone) and np.mean(inside) > AGREE
+    shown = len(breaks) > 1 and np.mean(inside) > AGREE
     shown &= rule.jitter > 0.0 or np.sum(inside) > by_noise
     if rule.jitter and rule.size == 3:  # turns that no line follows
         turns = own > FAR * tolerance
         shown &= 2 * np.sum(turns & inside) > np.sum(turns) + 3
-    return Agreement(inside, near, alone, bool(shown))
+    return Agreement(inside, near, bool(shown))
 
 
 def _followers(rows: Rows, rule: Rule, agreement: Agreement) -> tuple[str, Array]:
@@ -308,14 +307,19 @@ def _followers(rows: Rows, rule: Rule, agreement: Agreement) -> tuple[str, Array
     return rule.kind, min(choices, key=lambda members: _scatter(rows, members))
 
 
-def _follows(rows: Rows, rule: Rule) -> bool:
-    """Return whether rows follow a rule; with jitter, whether drifts of the others are alike."""
+def _count_of_fixes(rows: Rows, rule: Rule) -> int:
+    """Return how many of the rows do not follow a rule, 0 if all are measured."""
     agreement = _agreement(rows, rule)
-    if not (agreement.is_shown and rule.jitter and rule.size == 2):
-        return agreement.is_shown
+    if not agreement.is_shown:
+        return 0
     _, members = _followers(rows, rule, agreement)
-    is_alike = _scatter(rows, members) < ALIKE * _scatter(rows, members[:0])
-    return len(agreement.breaks) > 2 and is_alike
+    is_alike = rule.size > 2 or _ratio(rows, members) < ALIKE
+    return (len(rows.time) - len(members)) * is_alike
+
+
+def _ratio(rows: Rows, members: Array) -> float:
+    """Return the scatter of the drift between the other rows, divided by that of all."""
+    return _scatter(rows, members) / max(_scatter(rows, members[:0]), 1e-9)
 
 
 def _scatter(rows: Rows, members: Array) -> float:
@@ -324,4 +328,4 @@ def _scatter(rows: Rows, members: Array) -> float:
     known = np.isfinite(kept.drift)
     drift, spans = kept.drift[known], np.diff(kept.time)[known]
     off = drift - np.sum(drift) / max(np.sum(spans), MINUTE) * spans
-    return float(np.sum(np.abs(off) ** 2) / max(len(off) - 1, 1e-9))
+    return float(np.sum(np.abs(off) ** 2) / max(len(off) - 3, 1e-9))
