@@ -43,6 +43,7 @@ AGREE = 0.4  # of residuals that are small, at least
 ALIKE = 0.25  # of the mean square of drifts
 RARE, SELDOM = 1e-7, 1e-3  # chances of a repeated position, in a record and live
 MOVED = 0.1  # m that a vehicle moves at least
+LONG = 900.0  # s, in which a pilot may come to crab
 MINUTE = 60.0  # s, for which a receiver may smooth
 SCALES = MINUTE * 2.0 ** np.arange(7)
 PER_DEGREE = 111e3  # m
@@ -117,7 +118,8 @@ def unmeasured(time: Array, positions: Array, steps: Array) -> Array:
         repeated[begin:end] = _is_held(run, 5.0 * MINUTE, RARE)
     _, held = _followers(rows, HELD, Agreement(repeated, repeated))
     kinds[held] = "held"
-    for rule in LEFT_OUT:
+    is_known = np.any(np.isfinite(steps))
+    for rule in LEFT_OUT if is_known else LEFT_OUT[:3]:
         fixes = np.flatnonzero(kinds == "")
         left = rows.only(fixes)
         count = max(_count_of_fixes(_thinned(left, scale), rule) for scale in SCALES)
@@ -281,7 +283,7 @@ def _agreement(rows: Rows, rule: Rule) -> Agreement:
     shown = len(breaks) > 1 and np.mean(inside) > AGREE
     shown &= rule.jitter > 0.0 or np.sum(inside) > by_noise
     if rule.jitter and rule.size == 3:  # turns that no line follows
-        turns = own > FAR * tolerance
+        turns = (own > FAR * tolerance) & (spans[1:] < LONG)
         shown &= 2 * np.sum(turns & inside) > np.sum(turns) + 3
     return Agreement(inside, near, bool(shown))
 
