@@ -180,7 +180,8 @@ class FlowEstimator:
         self.track = LegTrack(scenario, self.settings)
         self._begin()
 
-    is_screened = True  # for positions that are no fixes
+    is_screened = True  # for positions that repeat
+    is_live = True  # and notes positions that look computed
 
     def _begin(self) -> None:
         """Know nothing."""
@@ -633,7 +634,7 @@ class FlowEstimator:
             rows = rows[:-1]
         self.rows = rows = [*rows[1 - ROWS :], [*position, *self.water]]
         self.seen += 1
-        is_due = not (self.seen % EACH or self.computed)
+        is_due = self.is_live and not (self.seen % EACH or self.computed)
         if not (is_repeated or is_due):
             return True, ""
         times, *degrees, east, north = np.array(rows).T

@@ -230,7 +230,8 @@ def flow_of_legs(
     has_origin = not is_run or scenario.origin is not None
     if frame is not None:
         estimator.frame, estimator.settings.bent = frame, 0.0
-    estimator.is_screened = False
+    estimator.is_live = False
+    estimator.is_screened = not (is_run or every_row)
     estimator.settings.beside *= not is_spanned
     unspanned = float(estimator.settings.prior.max()) * (not is_spanned)
     learned, used, refused, shown = [], [], [], []

@@ -45,7 +45,7 @@ RARE, SELDOM = 1e-7, 1e-3  # chances of a repeated position, in a record and liv
 MOVED = 0.1  # m that a vehicle moves at least
 LONG = 900.0  # s, in which a pilot may come to crab
 MINUTE = 60.0  # s, for which a receiver may smooth
-SCALES = MINUTE * 2.0 ** np.arange(7)
+SCALES = MINUTE * 2.0 ** np.arange(0.0, 6.5, 0.5)
 PER_DEGREE = 111e3  # m
 
 
@@ -284,7 +284,7 @@ def _agreement(rows: Rows, rule: Rule) -> Agreement:
     shown &= rule.jitter > 0.0 or np.sum(inside) > by_noise
     if rule.jitter and rule.size == 3:  # turns that no line follows
         turns = (own > FAR * tolerance) & (spans[1:] < LONG)
-        shown &= 2 * np.sum(turns & inside) > np.sum(turns) + 3
+        shown &= 4 * np.sum(turns & inside) > np.sum(turns) + 3
     return Agreement(inside, near, bool(shown))
 
 
