@@ -219,90 +219,6 @@ def _weights(rows: Rows, rule: Rule) -> Array:
         far = 10 * (EXACT + rows.q) / np.diff(rows.time)[1:-1]
         is_large = (np.abs(before) > far) & np.isfinite(after)
         ratios = (after[is_large] / before[is_large]).real
-        share = np.mean(np.convolve(agreement.inside, np.ones(rule.size)) > 0)
-                return (
-                    f"{round(share * len(time))} of {len(time)} positions follow from the rows "
-                    f"around them more closely than a receiver measures: they look {rule.kind}"
-                )
-    return ""
-
-
-def is_held(time: Array, positions: Array, steps: Array) -> bool:
-    """Return whether the last position is one that the receiver held."""
-    moves = np.any(positions != positions[-1], axis=1)
-    run = np.arange(np.max(np.flatnonzero(moves), initial=-1) + 1, len(time))
-    return _is_held(_rows(time, positions, steps).only(run), MINUTE, SELDOM)
-
-
-def counted(kinds: list[str]) -> str:
-    """Return how many positions of which kind are left out, empty if none is.
-
-    >>> counted(["", "held", "held", "reckoned"])
-    'positions of 3 rows are no fixes and are left out: 2 held, 1 reckoned'
-    """
-    counts = Counter(filter(None, kinds))
-    listing = ", ".join(f"{count} {kind}" for kind, count in sorted(counts.items()))
-    text = (
-        f"positions of {counts.total()} rows are no fixes and are left out: {listing}"
-    )
-    return text * bool(counts)
-
-
-def _rows(time: Array, positions: Array, steps: Array) -> Rows:
-    """Return rows; without any motion through the water that is known, they drift."""
-    latitude = np.radians(positions[:, 0].mean())
-    scales = [1j * PER_DEGREE, PER_DEGREE * np.cos(latitude)]
-    degrees = np.diff(np.unwrap(positions, axis=0, period=360.0) @ scales)
-    moved = [complex(*displacement(*a, *b)) for a, b in pairwise(positions)]
-    ground = np.array(moved, complex)
-    water = steps if np.any(np.isfinite(steps)) else 0.0 * ground
-    curvature = abs(np.tan(latitude)) / RADIUS
-    return Rows(time, ground, degrees, water, _resolution(positions), curvature)
-
-
-def _resolution(positions: Array) -> float:
-    """Return the resolution of positions (m): that of decimals of degrees or of minutes."""
-    for scale in (10.0**digits * parts for digits in range(8) for parts in (1, 6)):
-        scaled = positions * scale
-        if np.all(np.abs(scaled - np.round(scaled)) < 6e-9 * scale):
-            return PER_DEGREE / scale
-    return 0.0
-
-
-def _runs(mask: Array) -> Iterator[tuple[int, int]]:
-    """Yield the first index of each run of True, and the index behind its last."""
-    edges = np.flatnonzero(np.diff(np.pad(mask.astype(int), 1)))
-    yield from edges.reshape(-1, 2).tolist()
-
-
-def _thinned(rows: Rows, scale: float) -> Rows:
-    """Return rows at least some time apart."""
-    kept = [0]
-    for row, time in enumerate(rows.time):
-        if time >= rows.time[kept[-1]] + scale:
-            kept.append(row)
-    return rows.only(np.array(kept))
-
-
-def _is_held(run: Rows, apart: float, chance: float) -> bool:
-    """Return whether a position repeats too often for measurements that are some time apart."""
-    repeats = min(len(run.time) - 1, (run.time[-1] - run.time[0]) / apart)
-    repeats_by = min(run.q**2 / (4 * np.pi * QUIETEST**2), 1.0)
-    farthest = np.max(np.abs(np.cumsum(run.water)), initial=0.0)  # NaN if not known
-    return bool(farthest > MOVED + 1.5 * run.q and repeats_by**repeats < chance)
-
-
-def _weights(rows: Rows, rule: Rule) -> Array:
-    """Return the weights of steps in a residual of rows, divided by their gain of noise."""
-    if rule.size == 4:
-        velocity = rows.drift / np.diff(rows.time)
-        change = np.diff(velocity)
-        is_large = np.abs(change[:-1]) * np.diff(rows.time)[1:-1] > 10 * (
-            EXACT + rows.q
-        )
-        ratios = (change[1:] / np.where(change[:-1] == 0.0, 1.0, change[:-1])).real[
-            is_large
-        ]
         share = np.median(ratios) if len(ratios) else 0.0
         spans = sliding_window_view(np.diff(rows.time), 3)
         weights = np.array([share, -1.0 - share, 1.0]) / spans
@@ -329,9 +245,7 @@ def _agreement(rows: Rows, rule: Rule) -> Agreement:
     """Return how rows agree with a rule."""
     spans, drifts = np.diff(rows.time), not np.any(np.abs(rows.water) > MOVED)
     velocity = (rows.drift / spans)[np.isfinite(rows.drift)]
-    if min(len(spans), len(velocity)) <= rule.size or (
-        drifts and rule.jitter and rule.size > 2
-    ):
+    if len(velocity) <= rule.size or (drifts and rule.jitter and rule.size > 2):
         nothing = np.zeros(max(len(spans) + 2 - rule.size, 0), bool)
         return Agreement(nothing, nothing)
     usual = np.median(velocity.real) + 1j * np.median(velocity.imag)
