@@ -179,6 +179,7 @@ def log_legs(text: str, path: Path, every_row: bool = False) -> DivesOrSkipped:
                 f"{is_none.sum()} values of {name}, {which} degrees, are read as none"
             )
         cells.isetitem(column, cells.iloc[:, column].mask(is_none, ""))
+    headings = "; ".join(notes)
     places = [columns[name][0] for name in PLACE]
     has_place = (cells.iloc[:, places] != "").any(axis=1)
     no_fix, of_columns = places_without_fix(cells, has_place, path)
@@ -202,8 +203,15 @@ def log_legs(text: str, path: Path, every_row: bool = False) -> DivesOrSkipped:
         moments[line] = UNKNOWN, f"{why}. Leave gaps as empty"
     # legs
     legs = _legs_of(moments, path, every_row)
+    dives = [leg for leg in legs if isinstance(leg, Dive)]
+    unknown = sum(isnan(leg.dr_east) for leg in dives)
+    if headings and unknown > MOST_LEFT_OUT * len(dives):
+        raise DataError(
+            f"{path}: {headings}: the motion of {unknown} of {len(dives)} legs is not known. "
+            "Leave these rows out if the course before them holds, or give their courses"
+        )
     legs += [Skipped(None, f"{path}: {note}") for note in notes]
-    _check_legs([leg for leg in legs if isinstance(leg, Dive)], bool(motions), path)
+    _check_legs(dives, bool(motions), path)
     if is_360.any():
         courses = f"{is_360.sum()} courses of 360 degrees are read as {meaning}"
         legs.append(Skipped(None, f"{path}: {courses}"))
