@@ -280,7 +280,7 @@ def _agreement(rows: Rows, rule: Rule) -> Agreement:
     shown = len(breaks) > 1 and np.mean(inside) > AGREE
     shown &= rule.jitter > 0.0 or np.sum(inside) > by_noise
     if rule.jitter and rule.size == 3:  # turns that no line follows
-        turns = (own > FAR * tolerance) & (spans[1:] < LONG)
+        turns = (np.minimum(own, way) > FAR * tolerance) & (spans[1:] < LONG)
         shown &= 4 * np.sum(turns & inside) > np.sum(turns) + 3
     return Agreement(inside, near, bool(shown))
 
