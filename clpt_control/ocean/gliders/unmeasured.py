@@ -241,6 +241,14 @@ class Agreement(NamedTuple):
     is_shown: bool = False
 
 
+def _tolerance(rows: Rows, rule: Rule, own: Array, way: Array) -> Array:
+    """Return the largest residual of computed rows: of their digits, their own way, their axes."""
+    exact = EXACT + ROUNDED * rows.q
+    if rule.steps == "drift":
+        return exact + SLOWER * own
+    return exact + 0.4 * rows.curvature * way**2 * (rule.steps == "ground")
+
+
 def _agreement(rows: Rows, rule: Rule) -> Agreement:
     """Return how rows agree with a rule."""
     spans, drifts = np.diff(rows.time), not np.any(np.abs(rows.water) > MOVED)
@@ -255,11 +263,7 @@ def _agreement(rows: Rows, rule: Rule) -> Agreement:
         for steps in (getattr(rows, rule.steps), rows.water, rows.drift - usual * spans)
     )
     way = np.abs(rows.ground[rule.size - 2 :])
-    tolerance = {
-        "drift": SLOWER * own,
-        "ground": 0.4 * rows.curvature * way**2,
-        "degrees": 0.0 * own,
-    }[rule.steps] + (EXACT + ROUNDED * rows.q)
+    tolerance = _tolerance(rows, rule, own, way)
     if rule.jitter:
         step = LARGEST if drifts else OF_STEP * np.abs(rows.water[rule.size - 2 :])
         tolerance = tolerance + np.clip(step, rule.jitter, LARGEST)
