@@ -25,6 +25,7 @@ from pandas import DataFrame, Series
 
 from ...base.errors import DataError
 from ...base.units import number
+from .dive_fields import NO_VALUE
 
 
 class Marks(NamedTuple):
@@ -50,7 +51,7 @@ MARKS = (
         "1|true|t|yes|y",
     ),
     Marks(
-        f"(gps_?)?fix(_?(type|mode))?|{GPS}(type|mode)",
+        f"({GPS})?fix(_?(type|mode))?|{GPS}(type|mode)",
         "[2-8]|2d|3d|d?gps.*|rtk.*|ppp|static",
         "[01]|none|no.?(fix|gps)|dead.?reckon.*|dr|estimated",
     ),
@@ -78,9 +79,9 @@ MARKS = (
 
 
 def _plain(text: str) -> str:
-    """Return a number in one spelling, another text as it is."""
+    """Return a number in one spelling, "" for no value, another text as it is."""
     value = number(text)
-    return f"{value:g}" if isfinite(value) else text
+    return f"{value:g}" if isfinite(value) else text * (text not in NO_VALUE - {"none"})
 
 
 def places_without_fix(
