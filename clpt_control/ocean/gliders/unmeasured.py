@@ -66,10 +66,13 @@ class Rows(NamedTuple):
 
     def only(self, rows: Array) -> "Rows":
         """Return some rows."""
-        sums = [
-            np.add.reduceat(np.append(steps, 0.0), rows)[:-1] for steps in self[1:4]
-        ]
-        return Rows(self.time[rows], *sums, *self[4:])
+        ground, degrees, water = (
+            np.add.reduceat(np.append(steps, 0.0), rows)[:-1]
+            for steps in (self.ground, self.degrees, self.water)
+        )
+        return self._replace(
+            time=self.time[rows], ground=ground, degrees=degrees, water=water
+        )
 
 
 class Rule(NamedTuple):
@@ -191,7 +194,7 @@ def _resolution(positions: Array) -> float:
 def _runs(mask: Array) -> Iterator[tuple[int, int]]:
     """Yield the first index of each run of True, and the index behind its last."""
     edges = np.flatnonzero(np.diff(np.pad(mask.astype(int), 1)))
-    yield from edges.reshape(-1, 2).tolist()
+    yield from zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True)
 
 
 def _thinned(rows: Rows, scale: float) -> Rows:
