@@ -328,7 +328,7 @@ def is_right(mission_of, places, digits):
     north = np.diff(radians[:, 0]) * 6.371e6
     east = np.diff(radians[:, 1]) * 6.371e6 * np.cos(radians[1:, 0])
     flow = np.sum(east + 1j * north - sums) / (time[kept][-1] - time[kept][0])
-    right = abs(flow - CURRENT) < 0.05 and abs(len(kept) - len(at)) <= 2
+    right = abs(flow - CURRENT) < 0.025 and abs(len(kept) - len(at)) <= 2
     return (
         right,
         f"{len(kept)} of {len(at)} fixes, off {abs(flow - CURRENT):.3f}, {dict(counts)}",

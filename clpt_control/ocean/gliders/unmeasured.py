@@ -12,12 +12,13 @@ divided by the norm of its weights: white noise s leaves s.
     4                                          of a filter: changes of the drift by a factor a
 
 More residuals must be small than noise of 1 m allows.  Fixes break the agreement for less than m
-residuals, two at least: what agrees throughout is a simulation without noise.
+residuals, two at least: what agrees throughout is a simulation without noise, but rows that are
+reckoned throughout, or with one fix, are a question.
 
-Held, reckoned and straight rows are left out (`unmeasured`).  With jitter of metres such rows are
-left out only if legs between the rows that stay have a drift that is more alike, in m, than
-neighbouring rows: the drift of measured positions never is.  Other rows are a question
-(`question`), since the numbers do not show which of them are fixes.
+Rows that are held, reckoned or straight to the last digit are left out (`unmeasured`).  All others
+are a question (`question`), since the numbers do not show which of them are fixes; so are rows with
+jitter of metres, if legs between those that stay have a drift that is more alike, in m, than
+neighbouring rows: the drift of measured positions never is.
 """
 
 from collections import Counter
@@ -34,49 +35,43 @@ NO_FIX = "the position carries no measurement and is no fix"
 Array = np.ndarray
 EXACT = 0.02  # m, of a computed position
 ROUNDED = 0.7  # of the resolution, 95 % of residuals
-SLOWER = 2.5e-3  # of the vehicle's own motion, by rounding and other axes
-JITTER, OF_STEP, LARGEST = 2.0, 0.035, 10.0  # m, of a step, and m, of jitter
+SLOWER = 1e-3  # of the vehicle's own motion, by rounding and other axes
+JITTER = 3.0  # m, of positions that are asked about
 FAR = 3.0  # tolerances that the residual at a fix is at least
 QUIETEST = 1.0  # m, noise of a fix on each axis, the smallest
 MANY = 5.2  # standard deviations, a chance of 1e-7
 AGREE = 0.4  # of residuals that are small, at least
+LEAST_SHARE = 0.3  # of the gap to a fix that a filter leaves in a row
 ALIKE = 0.25  # of the mean square of drifts
 RARE, SELDOM = 1e-7, 1e-3  # chances of a repeated position, in a record and live
 MOVED = 0.1  # m that a vehicle moves at least
-LONG = 900.0  # s, in which a pilot may come to crab
 MINUTE = 60.0  # s, for which a receiver may smooth
 SCALES = MINUTE * 2.0 ** np.arange(0.0, 6.5, 0.5)
 PER_DEGREE = 111e3  # m
 
 
 class Rows(NamedTuple):
-    """Rows of a log: times, steps between rows (east + i north, m), resolution (m), tan/R (1/m)."""
+    """Rows of a log: times, steps between rows (east + i north, m), resolution (m), tan/R (1/m).
+
+    The drift is what remains of steps over ground without those through the water.
+    """
 
     time: Array
     ground: Array
     degrees: Array
     water: Array
+    drift: Array
     q: float
     curvature: float
 
-    @property
-    def drift(self) -> Array:
-        """Steps over ground less those through the water."""
-        return self.ground - self.water
-
     def only(self, rows: Array) -> "Rows":
         """Return some rows."""
-        ground, degrees, water = (
-            np.add.reduceat(np.append(steps, 0.0), rows)[:-1]
-            for steps in (self.ground, self.degrees, self.water)
-        )
-        return self._replace(
-            time=self.time[rows], ground=ground, degrees=degrees, water=water
-        )
+        steps = [np.add.reduceat(np.append(x, 0.0), rows)[:-1] for x in self[1:5]]
+        return Rows(self.time[rows], *steps, *self[5:])
 
 
 class Rule(NamedTuple):
-    """A way to compute positions: steps that follow it, rows of a residual, jitter or none."""
+    """A way to compute positions: steps that follow it, rows of a residual, jitter (m)."""
 
     kind: str
     steps: str
@@ -84,24 +79,21 @@ class Rule(NamedTuple):
     jitter: float = 0.0
 
 
-HELD = Rule("held", "ground", 2, JITTER)
-LEFT_OUT = (
-    Rule("reckoned", "drift", 2),
-    Rule("interpolated", "degrees", 3),
-    Rule("interpolated", "ground", 3),
-    HELD,
-    Rule("reckoned", "drift", 2, JITTER),
-    Rule("interpolated", "degrees", 3, JITTER),
+RECKONED = Rule("reckoned", "drift", 2)
+LINES = Rule("interpolated", "degrees", 3)
+FILTER = Rule(
+    "filtered, as by a filter that comes to each fix by a share of the gap", "drift", 4
 )
 ASKED = (
+    RECKONED,
+    LINES,
     Rule("reckoned with a current, or moved to meet the next fix", "drift", 3),
-    Rule(
-        "filtered, as by a filter that comes to each fix by a share of the gap",
-        "drift",
-        4,
-    ),
+    FILTER,
     Rule("interpolated, as by a spline through the fixes", "ground", 5),
     Rule("moved smoothly from fix to fix", "drift", 5),
+    Rule("held, with jitter", "ground", 2, JITTER),
+    Rule("reckoned, with jitter", "drift", 2, JITTER),
+    Rule("interpolated, with jitter", "degrees", 3, 0.2),
 )
 
 
@@ -115,20 +107,26 @@ def unmeasured(time: Array, positions: Array, steps: Array) -> Array:
     if not len(time):
         return kinds
     rows = _rows(time, positions, steps)
-    repeated = np.all(np.diff(positions, axis=0) == 0.0, axis=1)
+    repeated = rows.ground == 0.0
     for begin, end in _runs(repeated):
         run = rows.only(np.arange(begin, end + 1))
         repeated[begin:end] = _is_held(run, 5.0 * MINUTE, RARE)
-    _, held = _followers(rows, HELD, Agreement(repeated, repeated))
-    kinds[held] = "held"
-    is_known = np.any(np.isfinite(steps))
-    for rule in LEFT_OUT if is_known else LEFT_OUT[:3]:
+    kinds[_followers(rows, repeated)] = "held"
+    for rule in (RECKONED, LINES):
         fixes = np.flatnonzero(kinds == "")
         left = rows.only(fixes)
-        count = max(_count_of_fixes(_thinned(left, scale), rule) for scale in SCALES)
-        kind, members = _followers(left, rule, _agreement(left, rule))
-        stay = len(left.time) - len(members)
-        if count and (stay <= 1.5 * count or _ratio(left, members) < 1.0):
+        near, share = _agreement(left, rule)
+        if not share or np.sum(~near) < 2:  # of one fix or none: a question
+            continue
+        if _agreement(_thinned(left, MINUTE), rule)[1]:
+            kind, members = rule.kind, 1 + np.flatnonzero(near)
+            if rule is LINES:
+                # a jump is in two residuals, in one at the end; the row before it is computed
+                breaks = [*_runs(~near)]
+                jumps = [a + 1 for a, b in breaks if b - a == 2 - (b == len(near))]
+                if 2 * len(jumps) > len(breaks):
+                    kind = "reckoned" if np.median(np.abs(left.ground)) else "held"
+                members = np.append(members, np.array(jumps, int))
             kinds[fixes[members]] = kind
     return kinds
 
@@ -139,9 +137,8 @@ def question(time: Array, positions: Array, steps: Array) -> str:
     for scale in SCALES:
         thinned = _thinned(rows, scale)
         for rule in ASKED:
-            agreement = _agreement(thinned, rule)
-            if agreement.is_shown:
-                share = np.mean(np.convolve(agreement.inside, np.ones(rule.size)) > 0)
+            _, share = _agreement(thinned, rule)
+            if share:
                 return (
                     f"{round(share * len(time))} of {len(time)} positions follow from the rows "
                     f"around them more closely than a receiver measures: they look {rule.kind}"
@@ -178,8 +175,8 @@ def _rows(time: Array, positions: Array, steps: Array) -> Rows:
     moved = [complex(*displacement(*a, *b)) for a, b in pairwise(positions)]
     ground = np.array(moved, complex)
     water = steps if np.any(np.isfinite(steps)) else 0.0 * ground
-    curvature = abs(np.tan(latitude)) / RADIUS
-    return Rows(time, ground, degrees, water, _resolution(positions), curvature)
+    shape = _resolution(positions), abs(np.tan(latitude)) / RADIUS
+    return Rows(time, ground, degrees, water, ground - water, *shape)
 
 
 def _resolution(positions: Array) -> float:
@@ -216,15 +213,15 @@ def _is_held(run: Rows, apart: float, chance: float) -> bool:
 
 def _weights(rows: Rows, rule: Rule) -> Array:
     """Return the weights of steps in a residual of rows, divided by their gain of noise."""
-    if rule.size == 4:
-        change = np.diff(rows.drift / np.diff(rows.time))
+    spans = np.diff(rows.time)
+    if rule is FILTER:
+        change = np.diff(rows.drift / spans)
         before, after = change[:-1], change[1:]
-        far = 10 * (EXACT + rows.q) / np.diff(rows.time)[1:-1]
-        is_large = (np.abs(before) > far) & np.isfinite(after)
+        is_large = np.abs(before) > 10 * (EXACT + rows.q) / spans[1:-1]
         ratios = (after[is_large] / before[is_large]).real
-        share = np.median(ratios) if len(ratios) else 0.0
-        spans = sliding_window_view(np.diff(rows.time), 3)
-        weights = np.array([share, -1.0 - share, 1.0]) / spans
+        # noise has ratios below 0
+        share = max(np.nanmedian(np.append(ratios, 0.0)), LEAST_SHARE)
+        weights = np.array([share, -1.0 - share, 1.0]) / sliding_window_view(spans, 3)
     else:
         times = sliding_window_view(rows.time, rule.size)
         apart = times[:, :, None] - times[:, None] + np.eye(rule.size)
@@ -233,99 +230,55 @@ def _weights(rows: Rows, rule: Rule) -> Array:
     return weights / gain[:, None]
 
 
-class Agreement(NamedTuple):
-    """Residuals that are small, and those that are not large.
+def _agreement(rows: Rows, rule: Rule) -> tuple[Array, float]:
+    """Return the residuals that are not large, and the share of rows that follow a rule.
 
-    It is shown if noise makes fewer residuals small.
+    It is 0 if noise makes as many residuals small.
     """
-
-    inside: Array
-    near: Array
-    is_shown: bool = False
-
-
-def _tolerance(rows: Rows, rule: Rule, own: Array, way: Array) -> Array:
-    """Return the largest residual of computed rows: of their digits, their own way, their axes."""
-    exact = EXACT + ROUNDED * rows.q
-    if rule.steps == "drift":
-        return exact + SLOWER * own
-    return exact + 0.4 * rows.curvature * way**2 * (rule.steps == "ground")
-
-
-def _agreement(rows: Rows, rule: Rule) -> Agreement:
-    """Return how rows agree with a rule."""
-    spans, drifts = np.diff(rows.time), not np.any(np.abs(rows.water) > MOVED)
+    size, spans = rule.size, np.diff(rows.time)
     velocity = (rows.drift / spans)[np.isfinite(rows.drift)]
-    if len(velocity) <= rule.size or (drifts and rule.jitter and rule.size > 2):
-        nothing = np.zeros(max(len(spans) + 2 - rule.size, 0), bool)
-        return Agreement(nothing, nothing)
+    if len(velocity) <= size:
+        return np.zeros(0, bool), 0.0
     usual = np.median(velocity.real) + 1j * np.median(velocity.imag)
     weights = _weights(rows, rule)
     off, own, unusual = (
-        np.abs(np.sum(weights * sliding_window_view(steps, rule.size - 1), axis=1))
+        np.abs(np.sum(weights * sliding_window_view(steps, size - 1), axis=1))
         for steps in (getattr(rows, rule.steps), rows.water, rows.drift - usual * spans)
     )
-    way = np.abs(rows.ground[rule.size - 2 :])
-    tolerance = _tolerance(rows, rule, own, way)
-    if rule.jitter:
-        step = LARGEST if drifts else OF_STEP * np.abs(rows.water[rule.size - 2 :])
-        tolerance = tolerance + np.clip(step, rule.jitter, LARGEST)
-    moves = (own > tolerance) | (rule.size > 2) | (drifts and rule.jitter > 0.0)
+    bent = 0.4 * rows.curvature * np.abs(rows.ground[size - 2 :]) ** 2
+    slack = {"drift": SLOWER * own, "ground": bent, "degrees": 0.0 * own}[rule.steps]
+    tolerance = rule.jitter + EXACT + ROUNDED * rows.q + slack
+    drifts = not np.any(np.abs(rows.water) > MOVED)
+    moves = (own > tolerance) | (size > 2) | bool(drifts and rule.jitter)
     inside = moves & (off <= tolerance)
+    near = moves & (off <= FAR * tolerance)
     # a fix is in less residuals than a wild one
     far = np.minimum(off, unusual) > FAR * tolerance
-    near = moves & (off <= FAR * tolerance)
     breaks = [(a, b) for a, b in _runs(~near) if np.any(far[a:b])]
-    if rule.size > 2:  # of rows that are alike on both sides
-        at_fix = [
-            (a, b) for a, b in breaks if a > 0 and b < len(near) and b - a < rule.size
-        ]
-        breaks = at_fix * (2 * len(at_fix) > len(breaks))
-    chance = -np.expm1(-(tolerance**2) / (2 * QUIETEST**2))
-    spread = np.sqrt(rule.size / 2 * np.nansum(chance * (1.0 - chance)))
-    by_noise = np.nansum(chance) + MANY * spread + rule.size
-    shown = len(breaks) > 1 and np.mean(inside) > AGREE
-    shown &= rule.jitter > 0.0 or np.sum(inside) > by_noise
-    if rule.jitter and rule.size == 3:  # turns that no line follows
-        turns = (np.minimum(own, way) > FAR * tolerance) & (spans[1:] < LONG)
-        shown &= 4 * np.sum(turns & inside) > np.sum(turns) + 3
-    return Agreement(inside, near, bool(shown))
+    # at a fix, of rows that are alike on both sides
+    at_fix = [a > 0 and b < len(near) and b - a < max(size, 3) for a, b in breaks]
+    throughout = rule is RECKONED and np.sum(off > 1.5 * tolerance) < 2
+    is_shown = throughout or sum(at_fix) > max(1, len(breaks) / 2)
+    if rule.jitter > QUIETEST:
+        members = _followers(rows, near)
+        is_shown &= _scatter(rows, members) < ALIKE * _scatter(rows, members[:0])
+    else:
+        chance = -np.expm1(-(tolerance**2) / (2 * QUIETEST**2))
+        spread = np.sqrt(size / 2 * np.nansum(chance * (1.0 - chance)))
+        is_shown &= np.sum(inside) > np.nansum(chance) + MANY * spread + size
+    is_shown &= np.mean(inside) > AGREE
+    follow = np.convolve(inside, np.ones(size)) > 0.0
+    return near, float(np.mean(follow) * is_shown)
 
 
-def _followers(rows: Rows, rule: Rule, agreement: Agreement) -> tuple[str, Array]:
-    """Return the kind and the numbers of rows that follow a rule; the others are fixes."""
-    if rule.size == 3:
-        # a jump is in two residuals, in one at the end; the row before it is computed
-        breaks = [*_runs(~agreement.near)]
-        count = len(agreement.near)
-        jumps = [
-            begin + 1 for begin, end in breaks if end - begin == 2 - (end == count)
-        ]
-        kind = "reckoned" if 2 * len(jumps) > len(breaks) else rule.kind
-        return kind, np.union1d(np.flatnonzero(agreement.near) + 1, jumps).astype(int)
-    near = np.append(agreement.near, False)
-    firsts, lasts = np.array([*_runs(agreement.near)], int).reshape(-1, 2).T
+def _followers(rows: Rows, near: Array) -> Array:
+    """Return the rows of runs of steps but one each: that by which drifts are most alike."""
+    firsts, lasts = np.array([*_runs(near)], int).reshape(-1, 2).T
     middles = (firsts + lasts) // 2
     middles[:1], middles[-1:] = firsts[:1], lasts[-1:]  # of halves at the ends of a log
-    follow = np.flatnonzero(near | np.roll(near, 1))
-    of_runs = (firsts, middles, lasts) if rule.kind == "held" else (firsts,)
-    choices = [np.setdiff1d(follow, fixes) for fixes in of_runs]
-    return rule.kind, min(choices, key=lambda members: _scatter(rows, members))
-
-
-def _count_of_fixes(rows: Rows, rule: Rule) -> int:
-    """Return how many of the rows do not follow a rule, 0 if all are measured."""
-    agreement = _agreement(rows, rule)
-    if not agreement.is_shown:
-        return 0
-    _, members = _followers(rows, rule, agreement)
-    is_alike = rule.size > 2 or _ratio(rows, members) < ALIKE
-    return (len(rows.time) - len(members)) * is_alike
-
-
-def _ratio(rows: Rows, members: Array) -> float:
-    """Return the scatter of the drift between the other rows, divided by that of all."""
-    return _scatter(rows, members) / max(_scatter(rows, members[:0]), 1e-9)
+    follow = np.union1d(np.flatnonzero(near), 1 + np.flatnonzero(near))
+    choices = [np.setdiff1d(follow, fixes) for fixes in (firsts, middles, lasts)]
+    return min(choices, key=lambda members: _scatter(rows, members))
 
 
 def _scatter(rows: Rows, members: Array) -> float:
