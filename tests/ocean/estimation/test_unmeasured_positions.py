@@ -88,7 +88,9 @@ def flow_of(legs):
 
 
 def is_a_question(legs):
-    refuses("[0-9]+ of [0-9]+ positions follow from the rows around them", flow_of, legs)
+    refuses(
+        "[0-9]+ of [0-9]+ positions follow from the rows around them", flow_of, legs
+    )
 
 
 # digits, seconds between rows, kinds of the legs, how the mission differs
