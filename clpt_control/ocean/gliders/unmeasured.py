@@ -66,8 +66,12 @@ class Rows(NamedTuple):
 
     def only(self, rows: Array) -> "Rows":
         """Return some rows."""
-        steps = [np.add.reduceat(np.append(x, 0.0), rows)[:-1] for x in self[1:5]]
-        return Rows(self.time[rows], *steps, *self[5:])
+        ground, degrees, water, drift = (
+            np.add.reduceat(np.append(steps, 0.0), rows)[:-1]
+            for steps in (self.ground, self.degrees, self.water, self.drift)
+        )
+        shape = self.q, self.curvature
+        return Rows(self.time[rows], ground, degrees, water, drift, *shape)
 
 
 class Rule(NamedTuple):
