@@ -40,6 +40,10 @@ def estimate(
     drifter: bool = flag(
         "Take an unknown displacement through the water as 0.", "--drifter"
     ),
+    every_row: bool = flag(
+        "For fixes: each position was measured, also where other rows predict it.",
+        "--every-row",
+    ),
     method: str = opt(
         "NAME",
         "kalman, fix by fix by the law, or tomography, all recorded fixes at once.",
@@ -90,13 +94,14 @@ def estimate(
             f"{source}: is not a run. Make a run with: clpt run {source} --out run.nc"
         )
     if source.endswith(".nc") and scenario is None:
-        refuse_unused("not with a run", "--", drifter=drifter or None, **limits)
+        of_fixes = {"drifter": drifter or None, "every-row": every_row or None}
+        refuse_unused("not with a run", "--", **of_fixes, **limits)
         learned = _of_run(Path(source), method, (every, prior, noise), until)
     else:
         of_runs = {"every": every, "prior": prior, "noise": noise, "until": until}
         reason = "not with fixes. Set the keys of the law in the scenario"
         refuse_unused(reason, "--", **of_runs)
-        learned = _recorded(source, scenario, method, drifter, limits)
+        learned = _recorded(source, scenario, method, drifter, every_row, limits)
     from ..pages.fixes_page import learned_flow_plot, report_of, results_of
 
     data, known_flow, skipped, truth = learned
@@ -129,6 +134,7 @@ def _recorded(
     scenario: Path | None,
     method: str,
     drifter: bool,
+    every_row: bool,
     limits: dict[str, Any],
 ) -> Learned:
     """Learn from a table or files; the scenario to write begins at the first fix."""
@@ -146,8 +152,8 @@ def _recorded(
             f"{scenario}: is a team's. Give the scenario of one vehicle"
         )
     check_method(method)
-    legs, skipped = read_legs(source, drifter)
-    data, theta = flow_of_legs(legs, learner, method, **limits)
+    legs, skipped = read_legs(source, drifter, every_row)
+    data, theta = flow_of_legs(legs, learner, method, every_row=every_row, **limits)
     begin = data.attrs["time_origin"][:19]
     titled = learner.with_values(
         {

@@ -42,7 +42,7 @@ from ...base.units import at_least
 from ...paper.laws.fix_bound import UNMODELLED, LegRegressor
 from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.file import scenario_from_text, scenario_to_text
-from ..gliders.unmeasured import DOUBT, NO_FIX, unmeasured
+from ..gliders.unmeasured import MINUTE, NO_FIX, is_held, question
 from .fix_settings import FixSettings, LocalFrame, rotated
 from .hypotheses import Hypotheses
 from .leg_guesses import KEPT, WALKS, Guess, LegGuesses, Regression, remarks, theta_of
@@ -53,13 +53,23 @@ UNKNOWN = 0.01  # share of a leg of which the displacement may be unknown
 LEAST_UNKNOWN = 5.0  # s
 ARRAYS = ("theta", "P", "prior", "squares", "count", "taught")  # of a guess
 # of an estimator
-PLAIN = ["legs", "fastest", "turn", "told", "ways", "rows", "water", "fixes"]
+PLAIN = [
+    "legs",
+    "fastest",
+    "turn",
+    "told",
+    "ways",
+    "rows",
+    "water",
+    "fixes",
+    "seen",
+    "computed",
+]
 SAME = 1e-6  # of a width, by which a track may be off for the same phi
 EARLIER = 1e-3  # s by which a time may be before the last one, by rounding
 # first words of a saved file, before its checksum
-KIND, VERSION = "clpt-flow-estimator", "4"
-# last positions that are compared, those of one run, and how many of them to one in doubt
-ROWS, RUN, MOST = 60, 15, 4
+KIND, VERSION = "clpt-flow-estimator", "5"
+ROWS, EACH = 60, 20  # last positions that are compared, and how often
 
 
 @dataclass(frozen=True)
@@ -170,8 +180,8 @@ class FlowEstimator:
         self.track = LegTrack(scenario, self.settings)
         self._begin()
 
-    is_screened = True  # for positions that are no fixes
-    taken = ""  # back by the fix that is being learned
+    is_screened = True  # for positions that repeat
+    is_live = True  # and notes positions that look computed
 
     def _begin(self) -> None:
         """Know nothing."""
@@ -186,7 +196,8 @@ class FlowEstimator:
         # last positions: time, degrees, `water`
         self.rows: list[list[float]] = []
         self.water = [0.0, 0.0]  # m to the east and north, until now
-        self.rival: FlowEstimator | None = None  # learns no position that is in doubt
+        self.seen = 0  # positions
+        self.computed = ""  # how the last positions look computed
 
     def __repr__(self) -> str:
         name = self.scenario.learning.law
@@ -199,9 +210,8 @@ class FlowEstimator:
         """Learn from a fix.
 
         A fix after a time of unknown displacement through the water begins a leg and teaches
-        nothing. A position that carries no measurement, as one that the receiver held or the
-        vehicle reckoned, is no fix. One that may be such is learned, and taken back if later
-        positions show that it is.
+        nothing. A position that repeats exactly while the vehicle moves is no fix. Others are
+        learned; a note says once if they follow from those around them.
 
         Parameters
         ----------
@@ -220,11 +230,12 @@ class FlowEstimator:
             self.frame = LocalFrame(time, origin, self.scenario.units)
         t = self.frame.own_time(time)
         leg = self.leg
+        note = ""
         if self.is_screened and not (self.rows and time <= self.rows[-1][0]):
             is_known = leg is not None and not self._unknown(leg, t)
-            if note := self._screened([time, latitude, longitude], is_known):
+            is_fix, note = self._screened([time, latitude, longitude], is_known)
+            if not is_fix:
                 return self._learned(time, latitude, longitude, note=note)
-            leg = self.leg
         ended = [one for one in self._open() if not self._unknown(one, t)]
         if leg is not None and not ended and not self.legs:
             # the origin is the start of the first leg that is learned
@@ -249,7 +260,7 @@ class FlowEstimator:
             self._recentre(begins_again, latitude, longitude)
         learned = self._learned(time, latitude, longitude, **results)
         begins_again.flow = learned.flow[0] / self.settings.speed
-        return learned
+        return replace(learned, note="; ".join(filter(None, (note, learned.note))))
 
     @public
     def move(self, time: OrNaN, east: OrNaN, north: OrNaN) -> None:
@@ -337,17 +348,11 @@ class FlowEstimator:
         """
         if not len(stretches):
             return self._ahead()
-        ahead = self._with(self.state | {"rival": None})
+        ahead = copy.copy(self)
+        ahead.state = self.state
         for time, east, north in stretches:
             ahead.move(time, east, north)
         return ahead._ahead()
-
-    def _with(self, state: dict[str, Any]) -> "FlowEstimator":
-        """Return a copy of this estimator in another state, which takes each position as a fix."""
-        estimator = copy.copy(self)
-        estimator.is_screened = False
-        estimator.state = state
-        return estimator
 
     def _ahead(self) -> Ahead:
         """Forecast a fix now."""
@@ -412,7 +417,7 @@ class FlowEstimator:
     def warnings(self) -> list[str]:
         """Sentences on motion through the water and interval of fixes."""
         told = wrong_motion(self.ways, self.settings.prior, self.settings.speed)
-        notes = [told] * bool(told) + [DOUBT] * (self.rival is not None)
+        notes = [*filter(None, (told, self.computed))]
         return notes + long_interval(self.turn)
 
     @property
@@ -540,7 +545,6 @@ class FlowEstimator:
             "limits": self._limits,
             "frame": self.frame and [self.frame.time, *self.frame.place],
             "open": [asdict(leg) for leg in legs],
-            "rival": self.rival and self.rival.state,
             "log_odds": self.guesses.log_odds,
             "guesses": [
                 {"leg": numbers.get(id(guess.leg)), "fixes": guess.fixes}
@@ -556,7 +560,6 @@ class FlowEstimator:
         self.frame = frame and LocalFrame(
             frame[0], (frame[1], frame[2]), self.scenario.units
         )
-        self.rival = state["rival"] and self._with(state["rival"])
         for name in PLAIN:
             setattr(self, name, state[name])
         limits = FixSettings(self.scenario, **state["limits"]).limits
@@ -575,9 +578,7 @@ class FlowEstimator:
     def _learned(
         self, time: float, latitude: float, longitude: float, **results: Any
     ) -> Learned:
-        """Return the results of a fix, noted with what it took back."""
-        results["note"] = (self.taken + results.get("note", "")).strip("; ")
-        self.taken = ""
+        """Return the results of a fix."""
         return Learned(
             *(time, latitude, longitude),
             self.flow_parameters,
@@ -621,35 +622,28 @@ class FlowEstimator:
         angle, growth = frame.axes(np.array(leg.place))
         return rotated(flow, sign * (angle + growth * leg.east / 2))
 
-    def _screened(self, position: list[float], is_known: bool) -> str:
-        """Return why a position (time, degrees) is no fix, or an empty text.
+    def _screened(self, position: list[float], is_known: bool) -> tuple[bool, str]:
+        """Return whether a position (time, degrees) is a fix, and a note.
 
-        A position in doubt is learned, but not by the rival, which replaces this estimator if most
-        of these positions were no fixes.
+        Rows are kept a minute apart, but the last.
         """
-        if not is_known:
-            self.rows, self.rival = [], None
-        rows = [*self.rows, [*position, *self.water]]
+        time, *place = position
+        rows = self.rows * is_known
+        is_repeated = bool(rows) and place == rows[-1][1:3]
+        if rows[1:] and time < rows[-2][0] + MINUTE:
+            rows = rows[:-1]
+        self.rows = rows = [*rows[1 - ROWS :], [*position, *self.water]]
+        self.seen += 1
+        is_due = self.is_live and not (self.seen % EACH or self.computed)
+        if not (is_repeated or is_due):
+            return True, ""
         times, *degrees, east, north = np.array(rows).T
-        steps = np.diff(east + 1j * north)
-        kinds, doubted = unmeasured(times, np.transpose(degrees), steps, is_live=True)
-        shown = kinds != ""
-        candidates = doubted | shown
-        if rival := self.rival:
-            since = times > rival.rows[-1][0]
-            if np.sum(shown[since]) > MOST * np.sum(doubted[since]):
-                self.taken = f"{self.legs - rival.legs} fixes before are taken back; "
-                self.state = rival.state
-            elif not np.any(candidates[-2:]):
-                self.rival = None
-        if doubted[-1]:
-            self.rival = self.rival or self._with(self.state)
-        elif self.rival and not shown[-1]:
-            self.rival.fix(*position)
-        if len(rows) > ROWS:
-            del rows[-2 if np.all(candidates[-RUN:]) else 0]
-        self.rows = rows
-        return kinds[-1] and f"{kinds[-1]}: {NO_FIX}"
+        track = times, np.transpose(degrees), np.diff(east + 1j * north)
+        if is_repeated and is_held(*track):
+            return False, f"held: {NO_FIX}"
+        if is_due:
+            self.computed = question(*track)
+        return True, self.computed * is_due
 
     def _unknown(self, leg: Leg, t: float) -> str:
         """Return why a fix begins a leg instead of ending one, or an empty text."""
@@ -733,8 +727,6 @@ def move_through(estimator: FlowEstimator, stretches: np.ndarray) -> None:
     """Move the prediction by rows of time, east and north."""
     frame, _ = estimator.under_way
     estimator.water = (estimator.water + stretches[:, 1:].sum(axis=0)).tolist()
-    if estimator.rival is not None:
-        move_through(estimator.rival, stretches)
     for leg in estimator._open():
         speeds = leg.move(frame, stretches, estimator.track.size)
         estimator.fastest = max(estimator.fastest, float(np.max(speeds, initial=0.0)))

@@ -23,6 +23,7 @@ from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.file import scenario_to_text
 from ...paper.scenario.run_track import run_scenario
 from ..gliders.dives import Dive, reckoned
+from ..gliders.unmeasured import question
 from .fix_model import PERCENT
 from .fix_settings import LocalFrame, rotated
 from .flow_estimator import FlowEstimator, Learned, flow_by, move_through
@@ -48,6 +49,7 @@ def flow_estimate(
     every: float | None = None,
     prior: float | None = None,
     noise: float | None = None,
+    every_row: bool = False,
 ) -> xarray.Dataset:
     """Estimate the flow parameters theta from fixes.
 
@@ -69,6 +71,8 @@ def flow_estimate(
     noise : float, optional
         Of a run: standard deviation of a position error, length: by default 1e-4 R, or the error of
         the run's samples if that is larger, and 2^(1/2) ``localization.noise``.
+    every_row : bool, optional
+        With legs: each position was measured, also where other rows predict it.
 
     Returns
     -------
@@ -79,7 +83,8 @@ def flow_estimate(
     Raises
     ------
     DataError
-        If a number is not finite, or the run's samples are too coarse.
+        If a number is not finite, the run's samples are too coarse, or positions look computed
+        from other rows (`every_row`).
     ScenarioError
         If an argument is not allowed, or the scenario's vehicle steers on fixes.
 
@@ -95,6 +100,7 @@ def flow_estimate(
     check_method(method)
     if isinstance(source, xarray.Dataset):
         refuse_unused("is that of the run. Leave it out", scenario=scenario)
+        refuse_unused("is of legs. Leave it out", every_row=every_row or None)
         return flow_of_run(source, method, every, prior, noise)[0]
     if scenario is None:
         raise ScenarioError(
@@ -102,7 +108,7 @@ def flow_estimate(
         )
     reason = "is of runs. Set the law's keys in the scenario"
     refuse_unused(reason, every=every, prior=prior, noise=noise)
-    return flow_of_legs(list(source), scenario, method)[0]
+    return flow_of_legs(list(source), scenario, method, every_row=every_row)[0]
 
 
 def check_method(method: str) -> None:
@@ -203,21 +209,29 @@ def flow_of_legs(
     method: str,
     frame: LocalFrame | None = None,
     is_spanned: bool = False,
+    every_row: bool = False,
     **limits: float,
 ) -> tuple[xarray.Dataset, np.ndarray]:
     """Return the Dataset of `flow_estimate`, and theta in the scenario's units.
 
     The frame is that of a simulated run, whose ways are exact, and whose flow the functions may
-    span; `limits` are those of the estimator.
+    span; `limits` are those of the estimator. Positions that look computed are refused, unless
+    `every_row` was measured.
     """
     if not legs:
         raise DataError("no leg: a leg lies between two fixes. Give two fixes or more")
     estimator = FlowEstimator(scenario, **limits)
     is_run = frame is not None
+    if not (is_run or every_row) and (looks := question(*_rows_of(legs))):
+        raise DataError(
+            f"{looks}. Give a column that marks fixes (fix, dead_reckoning, position_qc), or, if "
+            "each was measured, --every-row (every_row=True)"
+        )
     has_origin = not is_run or scenario.origin is not None
     if frame is not None:
         estimator.frame, estimator.settings.bent = frame, 0.0
-        estimator.is_screened = False
+    estimator.is_live = False
+    estimator.is_screened = not (is_run or every_row)
     estimator.settings.beside *= not is_spanned
     unspanned = float(estimator.settings.prior.max()) * (not is_spanned)
     learned, used, refused, shown = [], [], [], []
@@ -348,6 +362,18 @@ def flow_of_legs(
         },
     )
     return data, theta / speed
+
+
+def _rows_of(legs: list[Dive]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return times, places and steps through the water of the fixes of legs, each once."""
+    rows = []
+    for leg in legs:
+        rows.append((leg.t_gps2, *leg.start, np.nan))
+        rows.append((leg.t_gpse, *leg.end, complex(*leg.through_water)))
+    times, north, east, steps = np.array(rows).T
+    is_new = np.append(True, np.diff(times.real) > 0.0)
+    places = np.column_stack([north.real, east.real])
+    return times.real[is_new], places[is_new], steps[is_new][1:]
 
 
 def not_learned(estimator: FlowEstimator, errors: np.ndarray) -> list[str]:

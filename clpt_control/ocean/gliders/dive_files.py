@@ -105,8 +105,11 @@ def dive_paths(paths: Iterable[AnyPath]) -> list[Path]:
     return files
 
 
-def read_dive_file(path: AnyPath) -> DivesAndSkipped:
-    """Read a file of any dialect: its dives, and lines of a text that hold none."""
+def read_dive_file(path: AnyPath, every_row: bool = False) -> DivesAndSkipped:
+    """Read a file of any dialect: its dives, and lines of a text that hold none.
+
+    With `every_row` each position of a log is a fix.
+    """
     path = Path(path)
     raw = read_bytes(path, (*NETCDF, slocum.MAGIC))
     if not raw:
@@ -121,7 +124,7 @@ def read_dive_file(path: AnyPath) -> DivesAndSkipped:
     text = seaexplorer.text_in(raw, path, no_text)
     if raw.startswith(seaexplorer.GZIP) or seaexplorer.is_known(text):
         return _dives_and_skipped(seaexplorer.dives_of(text, path), name, "SeaExplorer")
-    return _dives_and_skipped(table_dives(text, path), name, None)
+    return _dives_and_skipped(table_dives(text, path, every_row), name, None)
 
 
 def _dives_and_skipped(
@@ -236,6 +239,7 @@ def read_dives(
     *,
     usable: bool = True,
     least_duration: float = LEAST_DURATION,
+    every_row: bool = False,
 ) -> DivesAndSkipped:
     """Read the usable dives of one vehicle from files and folders.
 
@@ -252,6 +256,8 @@ def read_dives(
         False returns all dives as the files have them, of any number of vehicles.
     least_duration : float, optional
         Longest duration that is too short, s.
+    every_row : bool, optional
+        Take each position of a log as a fix, also those that look computed from other rows.
 
     Returns
     -------
@@ -276,14 +282,16 @@ def read_dives(
     >>> len(dives), skipped
     (14, [])
     """
-    dives, skipped = read_all_dives(paths)
+    dives, skipped = read_all_dives(paths, every_row)
     if not usable:
         return dives, skipped
     used, unused = usable_dives.usable(dives, least_duration)
     return used, [*skipped, *unused]
 
 
-def read_all_dives(paths: AnyPath | Iterable[AnyPath]) -> DivesAndSkipped:
+def read_all_dives(
+    paths: AnyPath | Iterable[AnyPath], every_row: bool = False
+) -> DivesAndSkipped:
     """Read all dives as the files have them, of any number of vehicles."""
     files = dive_paths([paths] if isinstance(paths, AnyPath) else paths)
     read = []
@@ -292,7 +300,7 @@ def read_all_dives(paths: AnyPath | Iterable[AnyPath]) -> DivesAndSkipped:
     for file in files:
         check()
         try:
-            file_dives, file_skipped = read_dive_file(file)
+            file_dives, file_skipped = read_dive_file(file, every_row)
         except DataError as error:
             fault = Skipped(seaglider.number_in_name(file), str(error))
             faults.append(((fault.dive, fault.why.removeprefix(str(file))), fault))
@@ -309,12 +317,15 @@ def read_all_dives(paths: AnyPath | Iterable[AnyPath]) -> DivesAndSkipped:
     raise DataError(f"{where}: no dive. First reason: {reason}")
 
 
-def read_legs(path: AnyPath, drifting: bool) -> DivesAndSkipped:
+def read_legs(
+    path: AnyPath, drifting: bool, every_row: bool = False
+) -> DivesAndSkipped:
     """Return the usable legs of a table or of vehicle files, and what was skipped.
 
-    With `drifting` an unknown displacement through the water is 0.
+    With `drifting` an unknown displacement through the water is 0, with `every_row` each position
+    a fix.
     """
-    legs, skipped = read_all_dives(path)
+    legs, skipped = read_all_dives(path, every_row)
     moves = [isfinite(leg.dr_east) and isfinite(leg.dr_north) for leg in legs]
     if drifting:
         legs = [

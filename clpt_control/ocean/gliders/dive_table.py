@@ -56,7 +56,7 @@ OTHERWISE = (
 )
 
 
-def table_dives(text: str, path: Path) -> list[Dive | Skipped]:
+def table_dives(text: str, path: Path, every_row: bool = False) -> list[Dive | Skipped]:
     r"""Return the dives of a table, NaN where a number is missing, and lines that hold none.
 
     >>> header = "dive,t_gps2,lat_gps2,lon_gps2,t_gpse,lat_gpse,lon_gpse,dr_east_m,dr_north_m"
@@ -65,7 +65,7 @@ def table_dives(text: str, path: Path) -> list[Dive | Skipped]:
     (154, None)
     """
     if is_log(text):
-        return log_legs(text, path)
+        return log_legs(text, path, every_row)
     cells = table_of(text, path, f"NetCDF or a table with {', '.join(REQUIRED)}")
     header = list(cells.columns)
     _check_header(header, path)

@@ -1,76 +1,160 @@
-"""Positions of a log that carry no measurement, and so are no fixes.
+"""Positions of a log that were computed from other rows: they carry no measurement.
 
-With d the displacement over ground between two rows of a log, w that through the water and q the
-resolution of the positions, a position is
+If fixes have noise s on each axis, no predictor made of other rows comes nearer to a fix than s; a
+computed position is predicted to 0.02 m and the resolution q of the positions.  The residual of m
+rows is a divided difference of their positions, or of positions less the way through the water,
+divided by the norm of its weights: white noise s leaves s.
 
-    held          if it stays within 3 m of the last fix while the vehicle moves, and then jumps
-    reckoned      if d = w to (0.02 m + 1e-3 |w| + q): the vehicle's own motion
-    interpolated  if it lies within (0.02 m + q) of a straight line at one velocity
+    m   of positions                           of positions less own way
+    2   held                                   reckoned
+    3   on straight lines                      with a constant current, or moved to meet the fixes
+    5   on cubic polynomials                   the same
+    4                                          of a filter: changes of the drift by a factor a
 
-Straight lines that end in jumps are reckoned, too, of a log without the motion of the vehicle.
-With jitter of up to 15 m, and 5 % of a step, positions are held or reckoned where jumps stand
-alone, and with jitter of 3 m interpolated where lines follow no turn of the vehicle.  Those of a
-drifter are held between three such jumps or more that lead away.
+More residuals must be small than noise of 1 m allows.  Fixes break the agreement for less than m
+residuals, two at least: what agrees throughout is a simulation without noise, but rows that are
+reckoned throughout, or with one fix, are a question.
 
-The receiver of a vehicle that keeps its place, drifts in a uniform current or is moored has noise
-of metres, so that positions agree that well by chance only.  A rule asks for so many that noise of
-2 m shows them less often than once in 1e7, or for jumps that no current makes.  Without noise, as
-in a simulation, the vehicle's own motion explains the bends of the lines.
-
-A vehicle that keeps its place leaves it as its motion through the water says; a held position
-jumps.  Before that a position is in doubt: a live estimator learns it, and takes it back later
-(`FlowEstimator.fix`).
+Rows that are held, reckoned or straight to the last digit are left out (`unmeasured`).  All others
+are a question (`question`), since the numbers do not show which of them are fixes; so are rows with
+jitter of metres, if legs between those that stay have a drift that is more alike, in m, than
+neighbouring rows: the drift of measured positions never is.
 """
 
 from collections import Counter
+from collections.abc import Iterator
 from itertools import pairwise
-from math import log
+from typing import NamedTuple
 
 import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
 
 from ...base.geodesy import RADIUS, displacement
 
 NO_FIX = "the position carries no measurement and is no fix"
-DOUBT = (
-    "the last positions repeat, or follow the vehicle's own motion: learned as fixes until "
-    "later positions show a jump"
-)
 Array = np.ndarray
-JITTER = 3.0  # m, of a position that is held
-OF_STEP, LARGEST = 0.05, 15.0  # of a step, and m, of jitter that jumps show
+EXACT = 0.02  # m, of a computed position
+ROUNDED = 0.7  # of the resolution, 95 % of residuals
+SLOWER = 1e-3  # of the vehicle's own motion, by rounding and other axes
+JITTER = 3.0  # m, of positions that are asked about
+FAR = 3.0  # tolerances that the residual at a fix is at least
+QUIETEST = 1.0  # m, noise of a fix on each axis, the smallest
+MANY = 5.2  # standard deviations, a chance of 1e-7
+AGREE = 0.4  # of residuals that are small, at least
+LEAST_SHARE = 0.3  # of the gap to a fix that a filter leaves in a row
+ALIKE = 0.25  # of the mean square of drifts
+RARE, SELDOM = 1e-7, 1e-3  # chances of a repeated position, in a record and live
 MOVED = 0.1  # m that a vehicle moves at least
-STAYS = 10.0  # times the jitter that one that keeps its place may seem to move
-BENDS = 30.0  # m that a line is off, where it jumps or should turn
-WANDERS = 100.0  # m that it moves at most, by noise and control
-EXACT = 0.02  # m, in sums of stretches and in a straight line
-SLOWER = 1e-3  # of the vehicle's own motion, by rounding
-TURNED = 3e-3  # rad, of axes at the last fix 10 km away
-QUIETEST = 2.0  # m, noise of a fix on each axis, the smallest
-RARE, SELDOM = 1e-7, 1e-3  # chances that fixes with that noise agree
+MINUTE = 60.0  # s, for which a receiver may smooth
+SCALES = MINUTE * 2.0 ** np.arange(0.0, 6.5, 0.5)
 PER_DEGREE = 111e3  # m
 
 
-def unmeasured(
-    time: Array, positions: Array, steps: Array, is_live: bool = False
-) -> tuple[Array, Array]:
-    """Return the kind of each position (n,), "" for a fix, and whether a fix is in doubt.
+class Rows(NamedTuple):
+    """Rows of a log: times, steps between rows (east + i north, m), resolution (m), tan/R (1/m).
+
+    The drift is what remains of steps over ground without those through the water.
+    """
+
+    time: Array
+    ground: Array
+    degrees: Array
+    water: Array
+    drift: Array
+    q: float
+    curvature: float
+
+    def only(self, rows: Array) -> "Rows":
+        """Return some rows."""
+        ground, degrees, water, drift = (
+            np.add.reduceat(np.append(steps, 0.0), rows)[:-1]
+            for steps in (self.ground, self.degrees, self.water, self.drift)
+        )
+        shape = self.q, self.curvature
+        return Rows(self.time[rows], ground, degrees, water, drift, *shape)
+
+
+class Rule(NamedTuple):
+    """A way to compute positions: steps that follow it, rows of a residual, jitter (m)."""
+
+    kind: str
+    steps: str
+    size: int
+    jitter: float = 0.0
+
+
+RECKONED = Rule("reckoned", "drift", 2)
+LINES = Rule("interpolated", "degrees", 3)
+FILTER = Rule(
+    "filtered, as by a filter that comes to each fix by a share of the gap", "drift", 4
+)
+ASKED = (
+    RECKONED,
+    LINES,
+    Rule("reckoned with a current, or moved to meet the next fix", "drift", 3),
+    FILTER,
+    Rule("interpolated, as by a spline through the fixes", "ground", 5),
+    Rule("moved smoothly from fix to fix", "drift", 5),
+    Rule("held, with jitter", "ground", 2, JITTER),
+    Rule("reckoned, with jitter", "drift", 2, JITTER),
+    Rule("interpolated, with jitter", "degrees", 3, 0.2),
+)
+
+
+def unmeasured(time: Array, positions: Array, steps: Array) -> Array:
+    """Return the kind of each position (n,), "" for a fix.
 
     `positions` (n, 2) are degrees north and east, `steps` (n - 1,) the displacements through the
-    water between them, east + i north in m, NaN where not known.  No position is interpolated that
-    comes live, before the next fix.
+    water between them, east + i north in m, NaN where not known.
     """
     kinds = np.full(len(time), "", dtype=object)
-    doubted = np.zeros(len(time), bool)
-    q = _resolution(positions)
-    for rule in (_repeated, _reckoned, _interpolated) if len(time) else ():
-        rows = np.flatnonzero(kinds == "")
-        sums = np.array([*map(np.sum, np.split(steps, rows[1:])[:-1])], complex)
-        kind, members, candidates = rule(time[rows], positions[rows], sums, q)
-        if is_live and kind == "interpolated":
+    if not len(time):
+        return kinds
+    rows = _rows(time, positions, steps)
+    repeated = rows.ground == 0.0
+    for begin, end in _runs(repeated):
+        run = rows.only(np.arange(begin, end + 1))
+        repeated[begin:end] = _is_held(run, 5.0 * MINUTE, RARE)
+    kinds[_followers(rows, repeated)] = "held"
+    for rule in (RECKONED, LINES):
+        fixes = np.flatnonzero(kinds == "")
+        left = rows.only(fixes)
+        near, share = _agreement(left, rule)
+        if not share or np.sum(~near) < 2:  # of one fix or none: a question
             continue
-        kinds[rows[members]] = kind
-        doubted[rows] |= candidates
-    return kinds, doubted & (kinds == "")
+        if _agreement(_thinned(left, MINUTE), rule)[1]:
+            kind, members = rule.kind, 1 + np.flatnonzero(near)
+            if rule is LINES:
+                # a jump is in two residuals, in one at the end; the row before it is computed
+                breaks = [*_runs(~near)]
+                jumps = [a + 1 for a, b in breaks if b - a == 2 - (b == len(near))]
+                if 2 * len(jumps) > len(breaks):
+                    kind = "reckoned" if np.median(np.abs(left.ground)) else "held"
+                members = np.append(members, np.array(jumps, int))
+            kinds[fixes[members]] = kind
+    return kinds
+
+
+def question(time: Array, positions: Array, steps: Array) -> str:
+    """Return that positions look computed and how, empty if they look measured."""
+    rows = _rows(time, positions, steps)
+    for scale in SCALES:
+        thinned = _thinned(rows, scale)
+        for rule in ASKED:
+            _, share = _agreement(thinned, rule)
+            if share:
+                return (
+                    f"{round(share * len(time))} of {len(time)} positions follow from the rows "
+                    f"around them more closely than a receiver measures: they look {rule.kind}"
+                )
+    return ""
+
+
+def is_held(time: Array, positions: Array, steps: Array) -> bool:
+    """Return whether the last position is one that the receiver held."""
+    moves = np.any(positions != positions[-1], axis=1)
+    run = np.arange(np.max(np.flatnonzero(moves), initial=-1) + 1, len(time))
+    return _is_held(_rows(time, positions, steps).only(run), MINUTE, SELDOM)
 
 
 def counted(kinds: list[str]) -> str:
@@ -87,6 +171,18 @@ def counted(kinds: list[str]) -> str:
     return text * bool(counts)
 
 
+def _rows(time: Array, positions: Array, steps: Array) -> Rows:
+    """Return rows; without any motion through the water that is known, they drift."""
+    latitude = np.radians(positions[:, 0].mean())
+    scales = [1j * PER_DEGREE, PER_DEGREE * np.cos(latitude)]
+    degrees = np.diff(np.unwrap(positions, axis=0, period=360.0) @ scales)
+    moved = [complex(*displacement(*a, *b)) for a, b in pairwise(positions)]
+    ground = np.array(moved, complex)
+    water = steps if np.any(np.isfinite(steps)) else 0.0 * ground
+    shape = _resolution(positions), abs(np.tan(latitude)) / RADIUS
+    return Rows(time, ground, degrees, water, ground - water, *shape)
+
+
 def _resolution(positions: Array) -> float:
     """Return the resolution of positions (m): that of decimals of degrees or of minutes."""
     for scale in (10.0**digits * parts for digits in range(8) for parts in (1, 6)):
@@ -96,140 +192,103 @@ def _resolution(positions: Array) -> float:
     return 0.0
 
 
-def _is_shown(agrees: Array, tolerance: Array, variance: float) -> bool:
-    """Return whether deviations of two normal axes are within a distance too often for chance."""
-    chance = -np.expm1(-(tolerance**2) / (2 * variance))
-    counts = chance < 0.5
-    fewest = log(RARE) / log(np.max(chance[counts], initial=1e-9))
-    return np.sum(agrees[counts]) > 2 * np.sum(chance[counts]) + fewest
+def _runs(mask: Array) -> Iterator[tuple[int, int]]:
+    """Yield the first index of each run of True, and the index behind its last."""
+    edges = np.flatnonzero(np.diff(np.pad(mask.astype(int), 1)))
+    yield from zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True)
 
 
-def _moved(positions: Array) -> Array:
-    """Return the displacements over ground between rows, (n - 1,), m."""
-    return np.array(
-        [complex(*displacement(*a, *b)) for a, b in pairwise(positions)], complex
-    )
+def _thinned(rows: Rows, scale: float) -> Rows:
+    """Return rows at least some time apart."""
+    kept = [0]
+    for row, time in enumerate(rows.time):
+        if time >= rows.time[kept[-1]] + scale:
+            kept.append(row)
+    return rows.only(np.array(kept))
 
 
-def _repeated(
-    time: Array, positions: Array, steps: Array, q: float
-) -> tuple[str, Array, Array]:
-    """Return which positions are the last fix held, and which may be."""
-    repeated, candidates = np.zeros((2, len(time)), bool)
-    jumps = []
-    begin = 0
-    jitter = np.clip(OF_STEP * np.abs(np.nan_to_num(steps)), JITTER, LARGEST)
-    for k in range(1, len(time) + 1):
-        jump = _moved(positions[[begin, k]])[0] if k < len(time) else 0j
-        if k < len(time) and abs(jump) <= jitter[k - 1]:
-            continue
-        run, begin = slice(begin, k), k
-        water = np.cumsum(steps[run][: k - run.start - 1])
-        farthest = np.max(np.abs(water), initial=0.0)  # NaN if not known
-        candidates[run][1:] = farthest > MOVED
-        chance = min(q * q / (4 * np.pi * QUIETEST**2), 1.0)
-        is_held = bool(chance ** len(water) < SELDOM)
-        is_held &= bool(np.all(positions[run] == positions[run.start]))
-        stays = STAYS * np.max(jitter[run], initial=JITTER) + 3 * q
-        if not farthest > (MOVED + 1.5 * q if is_held else stays):
-            continue
-        if k < len(time):
-            share = (time[k] - time[k - 1]) / (time[k - 1] - time[run.start])
-            off = abs(jump - steps[k - 1] + water[-1] * share)
-            is_held |= bool(off > min(0.5 * farthest, WANDERS) + stays)
-            jumps.append(is_held)
-        repeated[run][1:] = is_held or (k == len(time) and 2 * sum(jumps) > len(jumps))
-    return "held", repeated, candidates
+def _is_held(run: Rows, apart: float, chance: float) -> bool:
+    """Return whether a position repeats too often for measurements that are some time apart."""
+    repeats = min(len(run.time) - 1, (run.time[-1] - run.time[0]) / apart)
+    repeats_by = min(run.q**2 / (4 * np.pi * QUIETEST**2), 1.0)
+    farthest = np.max(np.abs(np.cumsum(run.water)), initial=0.0)  # NaN if not known
+    return bool(farthest > MOVED + 1.5 * run.q and repeats_by**repeats < chance)
 
 
-def _reckoned(
-    time: Array, positions: Array, steps: Array, q: float
-) -> tuple[str, Array, Array]:
-    """Return which positions are the one before plus the vehicle's own motion.
+def _weights(rows: Rows, rule: Rule) -> Array:
+    """Return the weights of steps in a residual of rows, divided by their gain of noise."""
+    spans = np.diff(rows.time)
+    if rule is FILTER:
+        change = np.diff(rows.drift / spans)
+        before, after = change[:-1], change[1:]
+        is_large = np.abs(before) > 10 * (EXACT + rows.q) / spans[1:-1]
+        ratios = (after[is_large] / before[is_large]).real
+        # noise has ratios below 0
+        share = max(np.nanmedian(np.append(ratios, 0.0)), LEAST_SHARE)
+        weights = np.array([share, -1.0 - share, 1.0]) / sliding_window_view(spans, 3)
+    else:
+        times = sliding_window_view(rows.time, rule.size)
+        apart = times[:, :, None] - times[:, None] + np.eye(rule.size)
+        weights = np.cumsum(1.0 / np.prod(apart, axis=2), axis=1)[:, :-1]
+    gain = np.linalg.norm(np.diff(np.pad(weights, ((0, 0), (1, 1)))), axis=1)
+    return weights / gain[:, None]
 
-    They are reckoned if that is no chance, or if jumps stand alone between them.  Those of a
-    drifter, which has no motion of its own, are held if the jumps lead away, three at least: a buoy
-    that swings comes back.
+
+def _agreement(rows: Rows, rule: Rule) -> tuple[Array, float]:
+    """Return the residuals that are not large, and the share of rows that follow a rule.
+
+    It is 0 if noise makes as many residuals small.
     """
-    steps = np.nan_to_num(steps)
-    size = np.abs(steps)
-    is_under_way = size > MOVED
-    drifts = not np.any(is_under_way)
-    error = _moved(positions) * np.exp(-1j * np.angle(steps)) - size
-    lengthwise, across = (EXACT + share * size + 1.25 * q for share in (SLOWER, TURNED))
-    agrees = (np.abs(error.real) <= lengthwise) & (np.abs(error.imag) <= across)
-    agrees &= is_under_way
-    # area of a rectangle as that of a circle
-    tolerance = np.sqrt(4 * lengthwise * across / np.pi)
-    agrees &= _is_shown(agrees, tolerance, 2 * QUIETEST**2)
-    # with jitter, between jumps that stand alone at rows like the others and, of a drifter, lead on
-    off = np.abs(error)
-    across += LARGEST if drifts else np.minimum(OF_STEP * size, LARGEST)
-    is_close = (off <= across) & (is_under_way | drifts)
-    jumps = off > 6 * across + BENDS
-    spans = np.diff(time)
-    alone = is_close[:-2] & jumps[1:-1] & is_close[2:] & (spans[1:-1] < 4 * spans[:-2])
-    if (
-        2 * np.sum(alone) > 1 + np.sum(jumps)
-        and np.mean(is_close) > 0.4
-        and (
-            not drifts or np.max(np.abs(np.cumsum(error))) > 2.5 * np.median(off[jumps])
-        )
-    ):
-        agrees = is_close
-    kind = "held" if drifts else "reckoned"
-    return kind, np.append(False, agrees), np.append(False, is_close)
-
-
-def _interpolated(
-    time: Array, positions: Array, steps: Array, q: float
-) -> tuple[str, Array, Array]:
-    """Return which positions are inside straight lines at one velocity, or reckoned.
-
-    At the ends of reckoned lines the position jumps.
-    """
-    empty = np.zeros(len(time), bool)
-    latitudes = np.radians(positions[:, 0])
-    unwrapped = np.unwrap(positions, axis=0, period=360.0)
-    in_degrees = unwrapped @ [1j * PER_DEGREE, PER_DEGREE * np.cos(latitudes.mean())]
-    moved = _moved(positions)
-    curved = np.abs(moved[1:] * moved[:-1] * np.tan(latitudes[1:-1])) / RADIUS
-    spans = np.diff(time)
-    weights = spans[1:] * spans[:-1] / (spans[1:] + spans[:-1])
-    through_water = steps / spans
-    turned = np.abs(np.diff(through_water))
-    unexplained = (
-        np.abs(np.diff(moved / spans - np.nan_to_num(through_water))) * weights
+    size, spans = rule.size, np.diff(rows.time)
+    velocity = (rows.drift / spans)[np.isfinite(rows.drift)]
+    if len(velocity) <= size:
+        return np.zeros(0, bool), 0.0
+    usual = np.median(velocity.real) + 1j * np.median(velocity.imag)
+    weights = _weights(rows, rule)
+    off, own, unusual = (
+        np.abs(np.sum(weights * sliding_window_view(steps, size - 1), axis=1))
+        for steps in (getattr(rows, rule.steps), rows.water, rows.drift - usual * spans)
     )
-    # lines with jitter; of constant course, shortest ones and, closer, those in degrees
-    for least, ground, curvature in (
-        (JITTER, moved, curved),
-        (EXACT, moved, curved),
-        (EXACT, np.diff(in_degrees), 0 * curved),
-    ):
-        tolerance = curvature + least + q
-        velocity = ground / spans
-        change = np.abs(np.diff(velocity))
-        inner = np.pad(change * weights <= tolerance, 1)
-        ends = (inner[:-2] | inner[2:]) & ~inner[1:-1]
-        if np.sum(ends) < 2 or np.mean((unexplained > 2 * tolerance)[ends]) < 0.5:
-            continue
-        # turns of the vehicle that no line follows
-        turns = turned * weights > tolerance + BENDS
-        turns &= turned > 0.5 * np.abs(through_water[1:])
-        missed = np.sum(turns & inner[1:-1])
-        if 4 * missed > np.sum(turns) + 3 and np.mean(inner) > 0.5:
-            return "interpolated", inner, ~inner & inner
-        if least > EXACT:
-            continue
-        # steps between two lines that no turn from one to the other makes
-        detour = change[:-1] + change[1:] - np.abs(velocity[2:] - velocity[:-2])
-        is_jump = inner[:-3] & ~inner[1:-2] & ~inner[2:-1] & inner[3:]
-        is_jump &= spans[1:-1] < 4 * spans[:-2]
-        is_jump &= detour * spans[1:-1] > 20 * tolerance[1:] + BENDS
-        if np.sum(is_jump) > 1:
-            last = np.append(False, inner[:-1]) & ~np.append(inner[1:], False)
-            return "reckoned", inner | last, empty
-        if _is_shown(inner[1:-1], tolerance, 1.5 * QUIETEST**2):
-            return "interpolated", inner, empty
-    return "", empty, empty
+    bent = 0.4 * rows.curvature * np.abs(rows.ground[size - 2 :]) ** 2
+    slack = {"drift": SLOWER * own, "ground": bent, "degrees": 0.0 * own}[rule.steps]
+    tolerance = rule.jitter + EXACT + ROUNDED * rows.q + slack
+    drifts = not np.any(np.abs(rows.water) > MOVED)
+    moves = (own > tolerance) | (size > 2) | bool(drifts and rule.jitter)
+    inside = moves & (off <= tolerance)
+    near = moves & (off <= FAR * tolerance)
+    # a fix is in less residuals than a wild one
+    far = np.minimum(off, unusual) > FAR * tolerance
+    breaks = [(a, b) for a, b in _runs(~near) if np.any(far[a:b])]
+    # at a fix, of rows that are alike on both sides
+    at_fix = [a > 0 and b < len(near) and b - a < max(size, 3) for a, b in breaks]
+    throughout = rule is RECKONED and np.sum(off > 1.5 * tolerance) < 2
+    is_shown = throughout or sum(at_fix) > max(1, len(breaks) / 2)
+    if rule.jitter > QUIETEST:
+        members = _followers(rows, near)
+        is_shown &= _scatter(rows, members) < ALIKE * _scatter(rows, members[:0])
+    else:
+        chance = -np.expm1(-(tolerance**2) / (2 * QUIETEST**2))
+        spread = np.sqrt(size / 2 * np.nansum(chance * (1.0 - chance)))
+        is_shown &= np.sum(inside) > np.nansum(chance) + MANY * spread + size
+    is_shown &= np.mean(inside) > AGREE
+    follow = np.convolve(inside, np.ones(size)) > 0.0
+    return near, float(np.mean(follow) * is_shown)
+
+
+def _followers(rows: Rows, near: Array) -> Array:
+    """Return the rows of runs of steps but one each: that by which drifts are most alike."""
+    firsts, lasts = np.array([*_runs(near)], int).reshape(-1, 2).T
+    middles = (firsts + lasts) // 2
+    middles[:1], middles[-1:] = firsts[:1], lasts[-1:]  # of halves at the ends of a log
+    follow = np.union1d(np.flatnonzero(near), 1 + np.flatnonzero(near))
+    choices = [np.setdiff1d(follow, fixes) for fixes in (firsts, middles, lasts)]
+    return min(choices, key=lambda members: _scatter(rows, members))
+
+
+def _scatter(rows: Rows, members: Array) -> float:
+    """Return the variance (m2) of the drift between rows that are no members."""
+    kept = rows.only(np.delete(np.arange(len(rows.time)), members))
+    known = np.isfinite(kept.drift)
+    drift, spans = kept.drift[known], np.diff(kept.time)[known]
+    off = drift - np.sum(drift) / max(np.sum(spans), MINUTE) * spans
+    return float(np.sum(np.abs(off) ** 2) / max(len(off) - 3, 1e-9))

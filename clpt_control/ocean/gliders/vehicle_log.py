@@ -17,7 +17,8 @@ Columns `date` and `time` (of day) are joined.  Cells that mean "none" are gaps 
 A leg lies between two rows with a fix.  Its track is the sum of the stretches between rows
 (`log_rows`).  Its displacement is unknown if that of a row is, or if a line cannot be read.  Such
 lines and rows that are not in the order of time are left out; a table of which a quarter is left
-out is refused.  Positions that carry no measurement are no fixes (`unmeasured`).
+out is refused.  Positions that a column marks (`fix_columns`), or that carry no measurement
+(`unmeasured`), are no fixes.
 """
 
 import re
@@ -30,10 +31,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from pandas import DataFrame
+from pandas import DataFrame, Series, to_numeric
 
 from ...base.errors import DataError
-from .dive_fields import GIVE, TIME, name_of
+from .dive_fields import GIVE, HEADINGS, TIME, name_of
 from .dives import (
     COLUMNS,
     FASTEST,
@@ -50,6 +51,7 @@ from .dives import (
     make_dive,
     reckoned,
 )
+from .fix_columns import places_without_fix
 from .log_rows import LogRows, Reading, time_fault
 from .text_table import header_of, table_of
 from .unmeasured import counted, unmeasured
@@ -141,8 +143,11 @@ def _dated(cells: DataFrame) -> DataFrame:
     )
 
 
-def log_legs(text: str, path: Path) -> DivesOrSkipped:
-    """Return the legs of a log, with NaN for an unknown displacement, and what is left out."""
+def log_legs(text: str, path: Path, every_row: bool = False) -> DivesOrSkipped:
+    """Return the legs of a log, with NaN for an unknown displacement, and what is left out.
+
+    With `every_row` each position is a fix that no column marks as none.
+    """
     cells = _dated(table_of(text, path, f"a log with {GIVE}"))
     cells = cells[~(cells == cells.shift()).all(axis=1)]
     columns = _columns(list(cells.columns), path)
@@ -162,6 +167,25 @@ def log_legs(text: str, path: Path) -> DivesOrSkipped:
     meaning = "none" if AIS.search(text) else "north"
     if meaning == "none":
         cells.isetitem(course, cells.iloc[:, course].mask(is_360, ""))
+    # headings and positions that are none
+    notes = []
+    for name in {"course", "yaw"} & {*columns}:
+        column, size = columns[name]
+        angles = to_numeric(cells.iloc[:, column], errors="coerce") * size
+        is_none = _repeats_outside(angles)
+        if is_none.any():
+            which = ", ".join(f"{angle:.7g}" for angle in angles[is_none].unique())
+            notes.append(
+                f"{is_none.sum()} values of {name}, {which} degrees, are read as none"
+            )
+        cells.isetitem(column, cells.iloc[:, column].mask(is_none, ""))
+    headings = "; ".join(notes)
+    places = [columns[name][0] for name in PLACE]
+    has_place = (cells.iloc[:, places] != "").any(axis=1)
+    no_fix, of_columns = places_without_fix(cells, has_place, path)
+    notes += of_columns
+    for place in places:
+        cells.isetitem(place, cells.iloc[:, place].mask(no_fix, ""))
     # rows
     names = {*PLACED, "nanosec", *chain(*motions[:1])}
     sizes = {name: column for name, column in columns.items() if name in names}
@@ -178,8 +202,16 @@ def log_legs(text: str, path: Path) -> DivesOrSkipped:
     for line, (_, why) in cells.attrs["wrong_lines"].items():
         moments[line] = UNKNOWN, f"{why}. Leave gaps as empty"
     # legs
-    legs = _legs_of(moments, path)
-    _check_legs([leg for leg in legs if isinstance(leg, Dive)], bool(motions), path)
+    legs = _legs_of(moments, path, every_row)
+    dives = [leg for leg in legs if isinstance(leg, Dive)]
+    unknown = sum(isnan(leg.dr_east) for leg in dives)
+    if headings and unknown > MOST_LEFT_OUT * len(dives):
+        raise DataError(
+            f"{path}: {headings}: the motion of {unknown} of {len(dives)} legs is not known. "
+            "Leave these rows out if the course before them holds, or give their courses"
+        )
+    legs += [Skipped(None, f"{path}: {note}") for note in notes]
+    _check_legs(dives, bool(motions), path)
     if is_360.any():
         courses = f"{is_360.sum()} courses of 360 degrees are read as {meaning}"
         legs.append(Skipped(None, f"{path}: {courses}"))
@@ -187,6 +219,18 @@ def log_legs(text: str, path: Path) -> DivesOrSkipped:
     if not motions:
         changes["notes"] = (NO_MOTION,)
     return [replace(row, **changes) if isinstance(row, Dive) else row for row in legs]
+
+
+def _repeats_outside(angles: Series) -> Series:
+    """Return the angles (degrees) that mean none: one number or two beyond the turn of the others.
+
+    >>> _repeats_outside(Series([375.4879, 10.0, 375.4879, 350.0])).tolist()
+    [True, False, True, False]
+    """
+    turns = angles.between(0.0, 360.0), angles.between(-180.0, 180.0)
+    outside = angles.between(*HEADINGS) & ~max(turns, key=Series.sum)
+    counts = angles[outside].value_counts()
+    return outside & (len(counts) <= 2) & (counts.min() > 1)
 
 
 def _moment(
@@ -301,7 +345,7 @@ def _kinds_of(readings: list[tuple[int, float, Reading]]) -> list[str]:
             rows.append((time, *reading.fix, step))
             step = 0j
     times, *position, steps = np.array(rows).reshape(-1, 4).T
-    return unmeasured(times.real, np.real(position).T, steps[1:])[0].tolist()
+    return unmeasured(times.real, np.real(position).T, steps[1:]).tolist()
 
 
 def _leg(
@@ -320,7 +364,9 @@ def _leg(
     return make_dive(number, start, end, (east[-1], north[-1]), track=track)
 
 
-def _legs_of(moments: dict[int, tuple[Moment, str]], path: Path) -> DivesOrSkipped:
+def _legs_of(
+    moments: dict[int, tuple[Moment, str]], path: Path, every_row: bool
+) -> DivesOrSkipped:
     """Return legs and what is left out of rows by line, each with its fault."""
     legs: DivesOrSkipped = []
     rows = LogRows()
@@ -330,7 +376,7 @@ def _legs_of(moments: dict[int, tuple[Moment, str]], path: Path) -> DivesOrSkipp
     number = 0
     left_out: list[str] = []
     readings = [*_readings(moments, rows)]
-    kinds = _kinds_of(readings)
+    kinds = [""] * len(readings) if every_row else _kinds_of(readings)
     remaining = iter(kinds)
     for line, time, reading in readings:
         where = f"{path}, line {line}"
