@@ -124,7 +124,8 @@ class SensitivityRun(DiagramRun):
         parameters = self.runner.block_parameters
         for name, location in self.locations.items():
             places = [location._replace(fields=(field,)) for field in location.fields]
-            numbers = {float(value_at(place, parameters, ())) for place in places}
+            start = self.request.start
+            numbers = {float(value_at(place, parameters, start)) for place in places}
             if len(numbers) > 1:
                 raise SimulationError(
                     f"to: {name} has several values in the run, {min(numbers):.6g} to "

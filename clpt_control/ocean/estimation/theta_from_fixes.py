@@ -366,7 +366,7 @@ def flow_of_legs(
 
 def _rows_of(legs: list[Dive]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return times, places and steps through the water of the fixes of legs, each once."""
-    rows = []
+    rows = list[tuple[complex, ...]]()
     for leg in legs:
         rows.append((leg.t_gps2, *leg.start, np.nan))
         rows.append((leg.t_gpse, *leg.end, complex(*leg.through_water)))
