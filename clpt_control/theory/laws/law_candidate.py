@@ -353,7 +353,7 @@ def holds_for_every_N(law: Any, definite: Definite, fall: Fall) -> tuple[bool, s
     rates = {port: loop.elements.of(loop.rates[port]) for port in ports}
     states = {port: loop.elements.of(loop.states[port]) for port in ports}
     if faster := faster_than(1, rates, states):
-        return False, f"{faster} may grow faster than linearly"
+        return False, said("{} may grow faster than linearly", faster)
     of_e = {"e'": loop.elements.of(loop.derivative(loop.signals["e"]))}
     states["t"] = [TIME]
     if faster := faster_than(0, of_e, states):

@@ -324,7 +324,7 @@ class SystemCandidate(LyapunovCandidate):
         over = "V' > 0" if self.claim is None else "V' is above the claim"
         for fails, find, holds in (
             (over, self._rises, fall.steps[0].holds),
-            (below, self._is_no_least, definite.step.holds),
+            (below, self._no_least, definite.step.holds),
         ):
             if holds:
                 continue
@@ -375,7 +375,7 @@ class SystemCandidate(LyapunovCandidate):
             return self.search.rises_far_off(self.rate)
         return self.search.rate_above(rate, zero, still=False)
 
-    def _is_no_least(self) -> Failure | None:
+    def _no_least(self) -> Failure | None:
         """Return a point at which V is below its value at the rest, or falls without end."""
         return self.search.below_rest(self.V, self.states, self.rest)
 
