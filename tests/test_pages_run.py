@@ -140,7 +140,7 @@ def run(block, space, where):
             return printed.getvalue()
         case "toml":
             tomllib.loads(block.text)
-        case "sh":
+        case "sh" if not block.text.startswith("coqc") or shutil.which("coqc"):
             shell(block.text, where)
         case "console":
             check_console(block.text, where)

@@ -120,7 +120,14 @@ LONG = """animate audit design_track export
 fit_parameters prove report run_ensemble sensitivity tune_law"""
 LISTS = ("check",)  # a sentence for each failure
 OF_THE_ENGINE = {  # called at each step, and checked by no one
-    "Block": ("values", "on_arrays", "parameters_at", "interval_at", "with_params"),
+    "Block": (
+        "values",
+        "on_arrays",
+        "parameters_at",
+        "interval_at",
+        "having",
+        "with_params",
+    ),
     "Sampled": ("samples_at", "values"),
     "Diagram": ("linearize",),  # it is python-control's
     "Replay": ("surfacing", "start", "imagine", "feed"),

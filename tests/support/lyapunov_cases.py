@@ -44,7 +44,8 @@ def backstepping(first="x1", c=2.0):
 # --- a Luenberger observer ------------------------------------------------------------------------
 
 A, L = np.array([[0.0, 1.0], [-2.0, -1.0]]), np.array([[3.0], [1.0]])
-P = control.lyap((A - L @ [[1.0, 0.0]]).T, np.eye(2))
+SOLVED = control.lyap((A - L @ [[1.0, 0.0]]).T, np.eye(2))
+P = np.array([[2.0, -1.0], [-1.0, 2.0]]) / 6  # the same by hand
 
 
 def observer():
@@ -53,9 +54,9 @@ def observer():
     return clpt.connect([plant, clpt.parts.observer(plant, L)], external="u")
 
 
-def of_the_error(s, sign=1):
+def of_the_error(s, sign=1, weights=P):
     e = np.append(s.x1, s.x2) - sign * s.x_hat
-    return e @ P @ e
+    return e @ weights @ e
 
 
 # --- jumps, and sources of time ------------------------------------------------------------------
@@ -197,7 +198,7 @@ RIGHT = {
         "backstepping": backstepping(),
         "pendulum": f"{PENDULUM}; {ENERGY}",
         "two pendulums on one shaft": shaft(1),
-        "a rate of which rounding is left": "x' = x*(-1.65*maximum(x, -0.7) - 1.65*0.7)",
+        "a rate that is zero on one side": "x' = -1.65*x*(maximum(x, -0.7) + 0.7)",
         "two wells": "x' = y; y' = x - x**3 - y; V = y**2/2 + (x**2 - 1)**2/4",
         "a pendulum a turn further": f"th' = w; w' = -sin(th) - w; {TURNED}; at th = 2*pi",
         "friction of each state, and forces that do no work": rubbed(1.0),
@@ -212,6 +213,10 @@ RIGHT = {
             ),
         ),
         "observer": (observer(), of_the_error),
+        "observer, P as it is solved for": (
+            observer(),
+            lambda s: of_the_error(s, weights=SOLVED),
+        ),
         "a projection": "e' = -e + (1 - h)*f; h' = where((h > 2) & (e*f > 0), 0.0, e*f); "
         "V = e**2/2 + (h - 1)**2/2; input f",
         "a higher-order tuner": tuner(1.0, 2.0),
@@ -261,6 +266,8 @@ REFUTED = {
     "another rest": "x' = 3 - x; at x = 3",
 }
 OPEN = {  # no point shows it, or none is looked for
+    # 1.65*0.7 is 1.1549999999999998, so V' = 2e-16 x**2 where x < -0.7
+    "two products of which one is rounded": "x' = x*(-1.65*maximum(x, -0.7) - 1.65*0.7)",
     "V of nothing": "x' = x; V = 0*x",
     "V that jumps": "x' = -x; V = where(x > 1, x, 2*x)**2",
     "V of an angle": "x' = y; y' = -x; V = (arctan2(y, x) + 4)**2 + x**2 + y**2",
@@ -407,7 +414,7 @@ LESS = {  # a weaker conclusion is shown
             "a diode",
             "a polynomial that just stays below zero",
             "a pull of two strengths",
-            "a rate of which rounding is left",
+            "a rate that is zero on one side",
             "a sine beside squares",
             "friction of each state, and forces that do no work",
             "gain of a wave's high power",
@@ -437,6 +444,12 @@ NEEDED = {  # conditions of right ones
         "outside V, bounded": "x1, x2 are",
         "bounded inputs": "u is",  # else x1 and x2 are not bounded
         "values": "",  # of P
+    },
+    "observer, P as it is solved for": {
+        "outside V, bounded": "x1, x2 are",
+        "bounded inputs": "u is",
+        "values": "",
+        "rounding": "",
     },
     "a projection": {"bounded inputs": "f is"},
     "a higher-order tuner": {"values": "", "bounded inputs": "f is"},  # b mu >= 0.8

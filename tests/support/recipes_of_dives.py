@@ -103,6 +103,9 @@ FIELD = Recipe(
     """,
     ("tests/ocean/gliders/test_dive_table.py", "-k", "field_of_a_dive"),
 )
+TABLE = (
+    "    return _dives_and_skipped(table_dives(text, path, every_row), name, None)\n"
+)
 DIVE_FILES = "clpt_control/ocean/gliders/dive_files.py"
 FORMAT = Recipe(
     "Add a glider file format",
@@ -138,10 +141,10 @@ FORMAT = Recipe(
                 (DIVE_FILES, "slocum, usable_dives", "slocum, toy, usable_dives"),
                 (
                     DIVE_FILES,
-                    "    return _dives_and_skipped(table_dives(text, path), name, None)\n",
+                    TABLE,
                     "    if toy.is_known(text):\n"
                     '        return _dives_and_skipped(toy.dives_of(text, path), name, "Toy")\n'
-                    "    return _dives_and_skipped(table_dives(text, path), name, None)\n",
+                    + TABLE,
                 ),
             ),
         ),

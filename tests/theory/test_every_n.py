@@ -50,13 +50,7 @@ def test_a_sum_over_two_indices_of_a_matrix_is_read_for_every_N():
     assert (verdict.status, sizes_of(verdict)) == ("proved", ["every N"])
 
 
-NOT_DECIDED = pytest.mark.xfail(
-    strict=True, reason="comparisons of numbers are left as they are"
-)
-
-
 @pytest.mark.long
-@NOT_DECIDED
 def test_a_choice_by_the_number_of_the_function_is_decided():
     """For N = 2 no function is the fifth."""
     fifth = "sum(where(arange(len(phi_x)) == 4, phi_x, 0.0))"

@@ -116,10 +116,11 @@ def read_dive_file(path: AnyPath, every_row: bool = False) -> DivesAndSkipped:
         raise DataError(f"{path}: is empty. Give one of {KINDS}")
     if raw in NETCDF:
         return _dives_and_skipped(*_of_netcdf(path))
-    name = name_of_file(own_name(path))
     if raw == slocum.MAGIC or slocum.MAGIC in raw[3:9]:
         # the first letters of a compressed block
+        name = name_of_file(own_name(path))
         return _dives_and_skipped(slocum.dives_of(path), name, "Slocum")
+    name = name_of_file(path.name)
     no_text = f"is neither NetCDF nor text; must be one of {KINDS}"
     text = seaexplorer.text_in(raw, path, no_text)
     if raw.startswith(seaexplorer.GZIP) or seaexplorer.is_known(text):

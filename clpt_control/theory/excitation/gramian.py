@@ -364,7 +364,7 @@ def gramian(
         raise ArgumentError(
             f"gramian: {name}: a run has its own times and inputs. {cure}"
         )
-    if options or (not recorded and (signals, of) != (None, None)):
+    if options or not (recorded or (signals is None and of is None)):
         run = simulate(run, **options)
     if of is not None:
         w = error_system_of(of, signals or (), run)
