@@ -334,6 +334,11 @@ STOP = "stop"  # name of the block
 class _ByLabel:
     """Access to the ports of a vector by ``y["angle"]``, as by ``y.angle``."""
 
+    def __getattribute__(self: Any, name: str) -> Any:
+        if name in super().__getattribute__("_ports"):  # even if arrays have it: y.size
+            return self.__getattr__(name)
+        return super().__getattribute__(name)
+
     def __getitem__(self: Any, index: Any) -> Any:
         if isinstance(index, str):
             return self.__getattr__(index)
@@ -348,7 +353,7 @@ class _Tracers(_ByLabel, Ports):
     """Tracer array with ports."""
 
 
-def _named(values: Any, ports: Any) -> Any:
+def by_name(values: Any, ports: Any) -> Any:
     """Return a vector with ports, slices and shapes by name."""
     if isinstance(values, Array):
         return _Tracers.of(values, ports)
@@ -385,7 +390,7 @@ def with_stop(
     ]
 
     def distance(t, x, u, p):
-        value = stop(t, *map(_named, (u.y, u.u), ports))
+        value = stop(t, *map(by_name, (u.y, u.u), ports))
         is_truth = isinstance(value, bool) or attribute_of(value, "dtype") == np.bool_
         return np.where(value, 1.0, -1.0) if is_truth else value
 

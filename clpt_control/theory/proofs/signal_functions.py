@@ -13,9 +13,11 @@ from sympy.core.function import AppliedUndef
 
 from ...base.arguments import known
 from ...base.errors import BlockError, DiagramError
+from ...engine.diagram.interconnection import by_name
 from ...engine.diagram.symbol_names import TIME
 from ...engine.diagram.symbolic_equations import Equations, on_symbols
 from ...engine.model.block import Block
+from ...engine.model.ports import places
 from ...engine.record.symbolic import Symbols
 from ..algebra.numeric_values import NO_VALUE
 from .symbolic_loop import no_value
@@ -40,11 +42,7 @@ def signals_by_name(eq: Equations) -> dict[str, np.ndarray]:
                 f"{eq.name}: {clash} in a function of signals. Rename one"
             )
     symbols = {names[name]: symbols for name, symbols in eq.named.items()}
-    allowed = {
-        name: values
-        for name, values in symbols.items()
-        if name.isidentifier() and not hasattr(np.ndarray, name)
-    }
+    allowed = {name: symbols[name] for name in symbols if name.isidentifier()}
     return allowed | {"t": np.array(TIME)}
 
 
@@ -65,9 +63,7 @@ def function_of_signals(system: Any, V: Any) -> Any:
             f"{', '.join(map(str, indices))}"
         )
     run = sympy.lambdify([*indices], V, "numpy")
-    return lambda s: run(
-        *(np.ravel(getattr(s, name))[k] for name, k in indices.values())
-    )
+    return lambda s: run(*(np.ravel(s[name])[k] for name, k in indices.values()))
 
 
 def expression_of(
@@ -126,6 +122,8 @@ def expressions_of(
 def _traced(eq: Equations, source: Callable[[Any], Any]) -> tuple[Expr, list[str]]:
     """Return a function of signals as an expression, and where it may have no value."""
     signals, undefined = signals_by_name(eq), list[str]()
+    ports = places({name: symbols.shape for name, symbols in signals.items()})
+    elements = [s for symbols in signals.values() for s in symbols.flat]
     shapes = []  # of V
 
     def refuse_no_number(value: Any) -> None:
@@ -139,7 +137,7 @@ def _traced(eq: Equations, source: Callable[[Any], Any]) -> tuple[Expr, list[str
 
     def level(u: Any) -> Any:
         try:
-            value = source(u)
+            value = source(by_name(u.s, ports))
         except AttributeError as error:  # a V of prove asks the truth for its fields
             if "_asdict" not in f"{error}":
                 raise
@@ -152,7 +150,7 @@ def _traced(eq: Equations, source: Callable[[Any], Any]) -> tuple[Expr, list[str
         block = Block(
             "V",
             output=lambda t, x, u, p: {"V": level(u)},
-            inputs={name: symbols.shape for name, symbols in signals.items()},
+            inputs={"s": len(elements)},
             outputs={"V": 1},
         )
         record = block.array_record("output")
@@ -172,7 +170,7 @@ def _traced(eq: Equations, source: Callable[[Any], Any]) -> tuple[Expr, list[str
             undefined.append(f"V {sentence}")
 
     def leaf(key: tuple, shape: tuple, index: tuple) -> Any:
-        return signals[key[1]][index]
+        return elements[index[0]]
 
     (V,) = Symbols(record.operations, leaf, watch, block.sizes).outputs(record)
     return V, undefined
