@@ -6,6 +6,7 @@ Right values: exact fractions of the doubles, and the last digit that tells doub
 import re
 from fractions import Fraction
 
+import control
 import numpy as np
 import pytest
 import sympy
@@ -169,3 +170,15 @@ def test_weights_of_negative_parameters_compile(name, tmp_path):
     verdict = clpt.lyapunov(*written(NEGATIVE[name]))
     assert verdict.status == "proved"
     assert compiled(tmp_path, verdict.coq()) == (True, REALS)
+
+
+def test_states_with_names_of_arrays_are_signals():
+    """x' = -x, size' = size: V = x^2 + size^2 rises, though an array has a size of 2."""
+    loop = control.nlsys(
+        lambda t, x, u, p: [-x[0], x[1]],
+        inputs=0,
+        states=["x", "size"],
+        outputs=["x", "size"],
+    )
+    verdict = clpt.lyapunov(loop, lambda s: s.x**2 + s.size**2)
+    assert verdict.status == "refuted"

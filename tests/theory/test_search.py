@@ -344,3 +344,22 @@ NO_REGION = [
 @pytest.mark.parametrize(("text", "within", "sentence"), NO_REGION)
 def test_a_box_or_a_system_that_has_no_region_is_refused(text, within, sentence):
     says(clpt.ClptError, sentence, lyapunov, *written(text), within=within)
+
+
+def test_a_linear_loop_of_long_numbers_is_decided_by_a_V_of_doubles():
+    """A quarter car with the gains of an LQR: its exact P has entries of 300 digits."""
+    m_s, m_u, k, c, k_t = 300.0, 40.0, 16000.0, 1000.0, 190000.0
+    A = np.array(
+        [
+            [0, 1, 0, -1],
+            [-k / m_s, -c / m_s, 0, c / m_s],
+            [0, 0, 0, 1],
+            [k / m_u, c / m_u, -k_t / m_u, -c / m_u],
+        ]
+    )
+    B = np.array([[0], [1 / m_s], [0], [-1 / m_u]])
+    K, _, _ = control.lqr(A, B, np.diag([1e4, 1e4, 1e3, 1]), [[1e-4]])
+    closed = control.ss(A - B @ K, np.zeros((4, 0)), np.eye(4), np.zeros((4, 0)))
+    verdict = clpt.lyapunov(closed)
+    assert (verdict.status, verdict.conclusion) == ("proved", "asymptotically stable")
+    assert max(n.q for n in verdict.V.atoms(sympy.Rational)) < 1e30

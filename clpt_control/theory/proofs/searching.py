@@ -21,7 +21,7 @@ import numpy as np
 import scipy.optimize
 import scipy.sparse
 import sympy
-from sympy import Add, Expr, Matrix, Poly, S, Tuple, expand
+from sympy import Add, Expr, Matrix, Poly, Rational, S, Tuple, expand
 
 from ...base.errors import DiagramError
 from ...engine.diagram.symbol_names import TIME
@@ -35,6 +35,7 @@ from .system_candidate import SystemCandidate
 
 MOST = 16  # states
 SHARE = 10**4  # the largest denominator of a coefficient
+LONGEST = 10**30  # denominator of an entry of P
 HELD = 100.0  # what a held state weighs beside a coefficient
 
 Rates = dict[sympy.Symbol, Expr]
@@ -86,7 +87,9 @@ def _of_linear_part(rates: Rates, discrete: bool) -> Iterator[Expr]:
         P = Matrix(n, n, sympy.symbols(f"p_:{n * n}"))
         change = A.T * P * A - P if discrete else A.T * P + P * A
         (solution,) = sympy.linsolve([*change + sympy.eye(n)], *P)
-        yield expand(z.dot(Matrix(n, n, solution) * z))
+        # many digits cost minutes, and doubles are as good a V
+        entries = [p if p.q < LONGEST else Rational(float(p)) for p in solution]
+        yield expand(z.dot(Matrix(n, n, entries) * z))
 
 
 def _terms(rates: Rates, discrete: bool) -> dict[Expr, tuple]:
@@ -210,7 +213,7 @@ def _of_program(rates: Rates, discrete: bool) -> Iterator[Expr]:
 def _rounded(values: np.ndarray, exact: list[dict[int, Expr]]) -> list[Expr]:
     """Return rational numbers beside these; each exact row times them is zero."""
     used = [k for k, value in enumerate(values) if abs(value) > 1e-9]
-    rationals = [sympy.Rational(float(v)).limit_denominator(SHARE) for v in values]
+    rationals = [Rational(float(v)).limit_denominator(SHARE) for v in values]
     numbers = [row.get(k, 0) for row in exact for k in used]
     reduced, pivots = Matrix(len(exact), len(used), numbers).rref()
     free = [j for j in range(len(used)) if j not in pivots]
