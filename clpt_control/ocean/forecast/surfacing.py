@@ -13,8 +13,9 @@ last dive, else from that end, as for a record of years ago.
 
 The last dives of a vehicle, and the plan in their files, tell of the next one.  Its velocity v
 through the water is guessed `PLANNED`, along the course that the last file holds at the usual speed
-V, or `REPEATED`, that of the last dive; its duration T as `LAST` or `USUAL`: by what has scattered
-less.  V and the usual duration are medians of the last `RECENT_DIVES`.  What comes is
+V, or `REPEATED`, that of the last dive at V/2 or more; its duration T as `LAST` or `USUAL`: by
+what has scattered less.  V and the usual duration are medians of the last `RECENT_DIVES`.  What
+comes is
 
     z = (way / duration - v) / V, along v and to its left;    z = log(duration / T)
 
@@ -178,15 +179,16 @@ def moments(rows: np.ndarray, name: str) -> tuple[np.ndarray, np.ndarray, float]
 class DiveStatistics:
     """Statistics of a vehicle's dives, updated dive by dive; `last` is the last dive.
 
-    `recent` are speed (m/s) and log duration of the last dives, `fastest` is the greatest speed
-    through the water, `drifts` sums of 1, east, north and their square, `evidence` the z of each
-    guess.  `width` is how many times wider the next headline's place and time are by its record.
+    `recent` are speed (m/s), log duration and velocity of the last dives, `fastest` is the
+    greatest speed through the water, `drifts` sums of 1, east, north and their square, `evidence`
+    the z of each guess.  `width` is how many times wider the next headline's place and time are
+    by its record.
     """
 
     def __init__(self) -> None:
         self.last: Dive | None = None
         self.evidence = {name: np.zeros((0, len(SPREAD[name]))) for name in SPREAD}
-        self.recent = np.zeros((0, 2))
+        self.recent = np.zeros((0, 4))
         self.fastest = 0.0
         self.drifts = np.zeros(4)
         self.stays: list[float] = []
@@ -194,10 +196,12 @@ class DiveStatistics:
 
     def _velocities(self, last: Dive) -> dict[str, np.ndarray]:
         """Return the velocity through the water of each guess, (2,), m/s."""
-        velocities = {REPEATED: np.array(last.through_water) / last.duration}
+        speed = np.median(self.recent[:, 0])
+        # a dive of hardly any way is no velocity to repeat
+        flown = self.recent[self.recent[:, 0] >= 0.5 * speed]
+        velocities = {REPEATED: flown[-1, 2:]}
         if last.next_course is not None and has_course(last):
             course = radians(last.next_course)
-            speed = np.median(self.recent[:, 0])
             velocities[PLANNED] = speed * np.array([sin(course), cos(course)])
         return velocities
 
@@ -289,7 +293,7 @@ class DiveStatistics:
                 for w, inside in zip(self.width, was_inside, strict=True)
             )
             self.width = tuple(min(max(width, NARROWEST), WIDEST) for width in wider)
-        row = hypot(*velocity), log(dive.duration)
+        row = hypot(*velocity), log(dive.duration), *velocity
         self.recent = np.vstack([self.recent, row])[-RECENT_DIVES:]
         self.fastest = max(self.fastest, row[0])
         self.last = dive

@@ -4,11 +4,11 @@
 |---|---|---|
 | `fix`, `gps_fix`, `is_fix`, `gps_valid` | 1, true, yes, A | 0, false, no, V, empty |
 | `dead_reckoning`, `interpolated`, `estimated` | 0, false, no | 1, true, yes |
-| `fix_type`, `gps_mode` (MAVLink, GSA) | 2 or more, 2D, 3D, RTK | 0, 1, none, dead reckoning |
+| `fix_type`, `gps_mode`, `position_source` | 2 or more, 3D, RTK, GPS | 0, 1, none, INS, DR |
 | `fix_quality`, `gps_quality` (NMEA GGA) | 1 to 5, 9 | 0, 6 estimated, 7 manual, 8 simulator |
-| `status`, `gps_status` (NMEA RMC) | A, D, P, R, F | V, E, M, N, S |
+| `status`, `gps_status` (NMEA RMC) | A, D, P, R, F, OK, fix | V, E, M, N, S, dead reckoning |
 | `status.status` (ROS) | 0 or more | -1 |
-| `position_qc`, `lat_quality_control`, `qc_lon` (OceanSITES) | 0 to 2, 5 to 7 | 3, 4, 8, 9 |
+| `position_qc`, `lat_quality_control`, `qc_lon` | 0 to 2, 5 to 7, good | 3, 4, 8, 9, bad |
 | `sats`, `num_satellites` | 3 or more | 0 to 2 |
 | `hdop`, `pdop` | below 20 | 0, 20 or more |
 
@@ -38,6 +38,7 @@ class Marks(NamedTuple):
 
 GPS = "(gps|gnss|nav|rmc|fix|position|pos|location)_?"
 PLACE = "(lat(itude)?|lon(g|gitude)?|position|pos|location|gps|gnss|fix|time)"
+RECKONED = "dr|dead.?reckon.*|estimated"
 QC = "(qc|quality_?control|quality(_?flag)?|flags?|qartod)"
 MARKS = (
     Marks(
@@ -51,21 +52,21 @@ MARKS = (
         "1|true|t|yes|y",
     ),
     Marks(
-        f"({GPS})?fix(_?(type|mode))?|{GPS}(type|mode)",
+        f"({GPS})?fix(_?(type|mode))?|{GPS}(type|mode|source)",
         "[2-8]|2d|3d|d?gps.*|rtk.*|ppp|static",
-        "[01]|none|no.?(fix|gps)|dead.?reckon.*|dr|estimated",
+        f"[01]|none|no.?(fix|gps)|ins|imu|{RECKONED}",
     ),
     Marks(f"{GPS}(quality|qual|indicator)|gga_?quality", "[1-59]", "[0678]"),
     Marks(
         f"({GPS})?status|{GPS}mode|mode_indicator",
-        "[adprf]|valid|active",
-        "[vemns]|void|invalid",
+        "[adprf]|valid|active|ok|fix",
+        f"[vemns]|void|invalid|{RECKONED}",
     ),
     Marks(r"status\.status", "[0-2]", "-1"),
     Marks(
         f"{PLACE}_?{QC}|{QC}_{PLACE}|qartod_{PLACE}.*|{PLACE}_qartod.*",
-        "[012567]",
-        "[3489]",
+        "[012567]|good",
+        f"[3489]|bad|interpolated|{RECKONED}",
     ),
     Marks(
         f"({GPS})?(n|num|n(umber|o)_?of)?_?(sats?|satellites|sv)(_?(used|in_use|visible))?|numsv",

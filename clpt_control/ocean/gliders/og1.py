@@ -129,7 +129,7 @@ def _variation_of(
 ) -> tuple[float | None, str]:
     """Return the variation of a dive's heading (degrees east), None if true; which north it has."""
     north = rows.attrs["north"]
-    measured = rows.magvar.dropna()
+    measured = rows.magvar[rows.magvar != 0].dropna()
     if north not in ("", "magnetic", "true"):
         raise DataError(
             f"the north of the heading is not clear: {north!r}. Let its comment say only 'true' or "

@@ -65,7 +65,7 @@ LONGEST_SINGLE = (
 SURFACE = 20.0  # m: above, a vehicle may be on its way to the surface or from it
 LONGEST_WAIT = 3600.0  # s that a vehicle at the surface may wait for a fix
 LARGEST_HOLE = 0.1  # share of a dive that may be without samples under water
-LONGEST_GAP = 900.0  # s between samples that is mentioned
+LONGEST_GAP = 900.0  # s between samples that is mentioned, less beside the surface
 LONGEST_STEP = 100.0  # m, beyond what is possible at 5 m/s
 REPAIRABLE = 0.05  # largest share of samples that is filled from their neighbours
 DEEPEST = 12000.0  # m: no sea is deeper
@@ -350,7 +350,10 @@ def hole_under_water(
     holes = np.diff(np.append(0.0, np.cumsum(rests))[samples])
     longest = int(np.argmax(holes))
     large = bool(holes[longest] > LARGEST_HOLE * duration)
-    if not (large or holes[longest] > LONGEST_GAP):
+    # beside the surface its step is that of a vehicle at rest
+    is_deep = np.min(depth[samples[longest : longest + 2]]) > SURFACE
+    share = 1.0 if is_deep else REPAIRABLE
+    if not (large or holes[longest] > min(LONGEST_GAP, share * duration)):
         return "", False
     hole = f"no samples for {holes[longest]:.0f} s of {duration:.0f} s"
     if (deep := depth[samples[longest]]) > SURFACE:

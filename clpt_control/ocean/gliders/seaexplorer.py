@@ -58,6 +58,7 @@ OUTSIDE = "outside"  # angles of a row that are not within their limits
 AT_SURFACE = 116
 UNDER_WATER = (100, 117, 118)  # down, up, from one to the other
 LEAST_PITCH = 10.0  # degrees
+ANOTHER = 5.0  # degrees from IGRF: not that of the place
 FASTEST = 1.5  # m/s
 
 
@@ -146,13 +147,15 @@ def _fixes_and_wet(log: pandas.DataFrame) -> tuple[list[Fix], np.ndarray]:
 
 
 def _variation(log: pandas.DataFrame, start: Fix, end: Fix) -> tuple[float, list[str]]:
-    """Return the variation of a dive, degrees east, NaN if not known, and a note if of IGRF."""
+    """Return the variation of a dive, degrees east, NaN if not known, and a note if not IGRF's."""
     stated = log.Declination[log.Declination != 0].median()
-    if isfinite(stated):
-        return stated, []
     igrf = variation(0.5 * (start[0] + end[0]), *start[1:])
-    return igrf, [
-        f"Declination is 0 or empty: {igrf:.0f} degrees by IGRF (--variation gives another)"
+    is_stated = isfinite(stated)
+    if is_stated and not abs(stated - igrf) > ANOTHER:
+        return stated, []
+    said = f"{stated:.0f} degrees" if is_stated else "0 or empty"
+    return stated if is_stated else igrf, [
+        f"Declination is {said}: {igrf:.0f} degrees by IGRF (--variation gives another)"
     ]
 
 

@@ -54,6 +54,7 @@ from .mission_files import dives_across_files, logged
 from .samples import (
     LARGEST_HOLE,
     LONGEST_GAP,
+    LONGEST_WAIT,
     SURFACE,
     deepest,
     degrees,
@@ -86,10 +87,13 @@ def own_currents(
     time, *water = logged(of, *WATER)
     currents = np.column_stack([[nan, nan], turned(water, east_of_north)])
     last = currents[:, np.searchsorted(time, end - SHORT, "right")]
+    known = np.searchsorted(time, dived, "right")
+    if known and time[known - 1] < dived - LONGEST_WAIT:
+        known = 0  # it is that of an earlier dive
     after = currents[:, 1:][:, (time > end - SHORT) & (time <= end + OWN_CURRENT)]
     new = after[:, (after != last[:, None]).any(axis=0)]
     now = new[:, 0] if new.size else np.full(2, nan)
-    return np.array([currents[:, np.searchsorted(time, dived, "right")], now])
+    return np.array([currents[:, known], now])
 
 
 def dead_reckoning(
@@ -119,6 +123,8 @@ def dead_reckoning(
         step = speed * np.diff(later, prepend=time[-1])
         flown = np.cumsum(step * [np.sin(h), np.cos(h)], axis=1)
         path = np.hstack([path, [later - start[0], *(path[1:, -1:] + flown)]])
+        if remaining > LARGEST_HOLE * (wet[-1] - start[0]):
+            return path, f"the last {remaining:.0f} s under water are of the heading"
     return path, ""
 
 
@@ -130,7 +136,9 @@ def _positions(
     time, lat, lon = logged(rows_near, *PLACE)
     times, x, y = logged(rows_near, *LOCAL)
     lat, lon = degrees(lat), degrees(lon)
-    good = np.isfinite(lat) & np.isfinite(lon) & (time > start[0])
+    # a place that is held to the last digit is no new one
+    is_new = np.append(True, (np.diff(lat) != 0) | (np.diff(lon) != 0))[: time.size]
+    good = np.isfinite(lat) & np.isfinite(lon) & (time > start[0]) & is_new
     if good.sum() >= 2:
         moved = [
             displacement(*start[1:], a, b)

@@ -57,7 +57,7 @@ ROLLOVER = 1024 * 7 * DAY  # s: a GPS receiver counts weeks to 1024, then begins
 MISSION_LENGTH = 400 * DAY  # s: longest mission across a rollover that is looked for
 REGION = 1000e3  # m: places of one mission about a rollover
 NO_WAY = (
-    "the displacement through the water is exactly 0 in each dive. Unless it drifts, check "
+    "the displacement through the water is exactly 0. Unless it drifts, check "
     "the units and signs of depth, pitch and speed in its files"
 )
 ADD_WEEKS = f"add 1024 weeks, {ROLLOVER:.0f} s, to each early time"
@@ -121,8 +121,7 @@ def usable(
         if 0 < missing < MISSION and not follows(dive, before):
             dive = noted(dive, f"{missing} dive(s) missing after dive {before.number}")
         used.append(dive)
-    if used and not any(any(dive.through_water) for dive in used):
-        used = [noted(dive, NO_WAY) for dive in used]
+    used = [dive if any(dive.through_water) else noted(dive, NO_WAY) for dive in used]
     return used, skipped
 
 

@@ -50,6 +50,11 @@ MARKS = [
     ("sats", 7, 0),
     ("num_satellites", 11, 2),
     ("hdop", 0.9, 99.9),
+    ("position_source", "GPS", "INS"),
+    ("GPS_STATUS", "OK", "DR"),
+    ("status", "fix", "dead reckoning"),
+    ("Position QC", "good", "interpolated"),
+    ("position_qc", "good", "bad"),
 ]
 
 

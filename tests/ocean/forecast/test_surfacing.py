@@ -90,6 +90,8 @@ def way_of(ahead):
         ([LONG] * 6 + [900.0] + [LONG] * 2, SPEED),
         ([LONG] * 8, [SPEED] * 6 + [0.005, SPEED]),  # a spiral, then as before
         ([LONG] * 9, [SPEED] * 6 + [0.0] + [SPEED] * 2),
+        ([LONG] * 12, [SPEED] * 11 + [0.01]),  # the last one failed
+        ([LONG] * 11 + [1200.0], [SPEED] * 11 + [0.0]),
     ],
 )
 def test_the_usual_speed_for_the_usual_time_after_odd_dives(lengths, speeds):

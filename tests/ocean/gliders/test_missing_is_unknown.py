@@ -182,10 +182,49 @@ def test_a_declination_that_is_none_is_that_of_igrf(
     assert found == pytest.approx(CURRENT, abs=0.02)
 
 
+@pytest.mark.parametrize("declination", [30.0, -20.0])
+def test_a_declination_of_another_place_is_told(tmp_path, whole, declination):
+    write(tmp_path, [row | {"Declination": declination} for row in whole])
+    dives, _ = read_dives(tmp_path)
+    assert all(any("by IGRF" in note for note in dive.notes) for dive in dives)
+
+
+@pytest.mark.parametrize("state", [100, 117])
+@pytest.mark.parametrize("rows_lost", [8, 11, 15])
+def test_rows_beside_the_surface_that_are_lost_are_told(
+    tmp_path, whole, state, rows_lost
+):
+    """A twentieth of a dive of 2,520 s, too little for a hole, or a tenth."""
+    lost = SINK * rows_lost
+    write(
+        tmp_path,
+        [
+            row
+            for row in whole
+            if (row["dive"], row["NavState"]) != (3, state)
+            or float(row["Depth"]) > lost
+        ],
+    )
+    dives, skipped = read_dives(tmp_path)
+    found = {dive.number: str(dive.notes) for dive in dives}
+    found |= {skip.dive: skip.why for skip in skipped}
+    told = {number for number, text in found.items() if "no samples for" in text}
+    assert told == ({4} if lost > 20.0 else set())  # its climb is in file 4
+
+
+def test_one_dive_of_no_motion_is_told(tmp_path, whole):
+    write(
+        tmp_path, [row | {"Pitch": 0.0} if row["dive"] == 3 else row for row in whole]
+    )
+    dives, _ = read_dives(tmp_path)
+    told = [any("exactly 0. Unless" in note for note in d.notes) for d in dives]
+    assert told == [False, False, True, False, False]
+
+
 def test_a_pitch_in_radians_is_no_motion_in_each_dive(tmp_path, whole):
     write(tmp_path, [row | {"Pitch": np.radians(row["Pitch"])} for row in whole])
     dives, _ = read_dives(tmp_path)
-    assert all(any("exactly 0 in each dive" in note for note in d.notes) for d in dives)
+    assert all(any("exactly 0. Unless" in note for note in d.notes) for d in dives)
 
 
 @pytest.mark.parametrize("column", ["HEADING", "GLIDER_HORZ_VELO_MODEL", None])

@@ -554,17 +554,26 @@ def test_text_is_in_the_order_of_its_headers(tmp_path, name):
     assert (dive.t_gps2, dive.t_gpse) == (right.t_gps2, right.t_gpse)
 
 
-def test_places_that_end_early_are_no_dead_reckoning(tmp_path):
+@pytest.mark.parametrize("held", [False, True])
+@pytest.mark.parametrize(
+    ("share", "said"),
+    [(0.5, "no place for the last"), (0.88, "s under water are of the heading")],
+)
+def test_places_that_end_early_or_are_held_are_told(tmp_path, share, said, held):
     """Of an hour under water without a place the first half's speed tells nothing."""
     Mission(tmp_path / "source").dive(0)
     ((path,),) = [(tmp_path / "source").glob("*.sbd")]
     head, *rows = as_text(path, path.stem).splitlines()
     names = rows[13].split()
     lost = [names.index(name) for name in PLACES]
-    for k in range(len(rows) // 2, len(rows)):
+    first = int(share * len(rows))
+    last = [rows[first - 1].split()[j] for j in lost]
+    for k in range(first, len(rows)):
         cells = rows[k].split()
-        rows[k] = " ".join("NaN" if j in lost else v for j, v in enumerate(cells))
-    (tmp_path / "half.asc").write_text("\n".join([head, *rows]) + "\n")
-    (dive,) = read_dives(tmp_path / "half.asc", usable=False)[0]
-    assert np.isnan(dive.dr_east)
-    assert any("no place for the last" in note for note in dive.notes)
+        for j, cell in zip(lost, last, strict=True):
+            cells[j] = cell if held else "NaN"
+        rows[k] = " ".join(cells)
+    (tmp_path / "part.asc").write_text("\n".join([head, *rows]) + "\n")
+    (dive,) = read_dives(tmp_path / "part.asc", usable=False)[0]
+    assert np.isnan(dive.dr_east) == ("no place" in said)
+    assert any(said in note for note in dive.notes)
