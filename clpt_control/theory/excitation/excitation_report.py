@@ -16,7 +16,6 @@ import numpy as np
 from ...base.figures import BLUE, GREY, RED, TITLE, axes_for
 from ...base.html import Result
 from ...base.units import at_most, finite_or_none
-from ..proofs.statements import listed
 from .regressor import scale_of
 
 if TYPE_CHECKING:
@@ -227,6 +226,8 @@ def not_learnable_of(excitation: Any) -> list[str]:
     A parameter whose own direction is not excited has its own sentence; parameters that are
     excited in combinations only share one.
     """
+    from ..proofs.statements import listed
+
     sentences = []
     for single, mixed in _not_learnable_names(excitation):
         sentences += [f"{name} is not learnable on this track" for name in single]

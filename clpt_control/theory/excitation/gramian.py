@@ -29,7 +29,6 @@ from ...paper.scenario.recorded_run import is_response, thinned
 from ...simulation.integrate import simulate
 from .carried import transition_of, watch_of
 from .certificates import Certificate, certificate
-from .error_system import error_system_of
 from .excitation_report import (
     draw_excitation,
     draw_tube,
@@ -367,6 +366,8 @@ def gramian(
     if options or not (recorded or (signals is None and of is None)):
         run = simulate(run, **options)
     if of is not None:
+        from .error_system import error_system_of
+
         w = error_system_of(of, signals or (), run)
     if w is None and (
         isinstance(source, control.InputOutputSystem) or (recorded and is_response(run))

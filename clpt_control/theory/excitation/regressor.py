@@ -31,11 +31,12 @@ from ...paper.scenario.recorded_run import check_run, unknown_parts
 from ...paper.scenario.team import Team, system_of_run
 from ...simulation.comparison import ports_along, signals_of
 from ...simulation.integrate import simulate
-from .error_system import ErrorSystem
 from .transitions import FEW, gauss, settled
 
 if TYPE_CHECKING:
     import xarray
+
+    from .error_system import ErrorSystem
 
 DEGREE = 5
 REGRESSOR_BLOCKS = {"reference", "basis_x"}  # whose outputs w contains
@@ -242,7 +243,7 @@ def joint_regressors(
     edges: Any = (),
     predicted: str = PREDICTED,
     *,
-    signals: Sequence[str] | ErrorSystem | None = None,
+    signals: "Sequence[str] | ErrorSystem | None" = None,
 ) -> dict[str, Regressor]:
     """Return w = [phi(x), z_i, zc_i] of Eq. (31) over a window, by vehicle, or of `signals`, which
     are names or an error system with its W.
@@ -354,6 +355,8 @@ def signal_regressor(
     run: Any, signals: Any, window: float | None, start: float | None, edges: Any
 ) -> Regressor:
     """Return signals of a run, or W, over a window, cut at its samples and at `edges`."""
+    from .error_system import ErrorSystem
+
     unit, times = run.time.attrs.get("units", ""), run.time.values
     window, start = checked_window(run, window, start, np.inf, unit)
     end = start + window
