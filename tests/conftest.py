@@ -4,6 +4,7 @@ import gc
 import json
 import os
 import sys
+from collections import Counter
 from pathlib import Path
 from types import SimpleNamespace
 from typing import NamedTuple
@@ -21,21 +22,24 @@ gc.disable()  # a seventh of the time is taken by looking for garbage, of which 
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items):
-    """Leave cases of some tests to others than `make test`.
+    """Leave cases of a test with three or more to others than `make test`, two of three.
 
-    Two of three of damaged files are `slow`; eight of nine of tests that are marked `sampled`,
-    two of three of those in Coq, are `long`.
+    Those of damaged files are `slow`, others are `long`.  A test that is marked `sampled` leaves
+    eight of nine, however many it has; tests in Coq leave cases only if they are marked.
     """
+    cases = Counter(item.nodeid.partition("[")[0] for item in items)
     for item in items:
         case = getattr(item, "callspec", None)
         place = sum(case.indices.values()) if case else 0
-        if item.path.name.startswith("test_damaged_"):
-            if place % 3:
-                item.add_marker(pytest.mark.slow)
-            continue
-        every = 3 if item.get_closest_marker("coq") else 9
-        if item.get_closest_marker("sampled") and place % every:
-            item.add_marker(pytest.mark.long)
+        in_coq = item.get_closest_marker("coq")
+        is_damaged = item.path.name.startswith("test_damaged_")
+        if item.get_closest_marker("sampled") and not is_damaged:
+            every = 3 if in_coq else 9
+        else:
+            is_long = cases[item.nodeid.partition("[")[0]] > 2 and not in_coq
+            every = 3 if is_damaged or is_long else 1
+        if place % every:
+            item.add_marker(pytest.mark.slow if is_damaged else pytest.mark.long)
 
 
 class Outcome(NamedTuple):

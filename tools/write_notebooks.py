@@ -7,16 +7,19 @@ test the page, are left out.  Links to pages become their texts, since a noteboo
 
 import argparse
 import re
+import sys
 import tempfile
 from pathlib import Path
 
 import nbformat
 from myst_nb.core.read import read_myst_markdown_notebook
 from nbclient import NotebookClient
+from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
 
 ROOT = Path(__file__).parent.parent
 PAGES = ROOT / "docs" / "tutorials"
 TEST = "remove-cell"  # tag
+HANGS = 3600  # s of wall time for a cell, which no load makes of one that ends
 TO_A_PAGE = re.compile(r"\[([^\]]*)\]\((?!https?:)[^)]*\)")
 
 
@@ -43,15 +46,23 @@ def main():
     if unknown := {*names} - {path.stem for path in pages}:
         parser.error(f"no tutorial {', '.join(sorted(unknown))}")
     arguments.out.mkdir(parents=True, exist_ok=True)
+    failed = []
     for name in names:
         notebook = notebook_of((PAGES / f"{name}.md").read_text("utf-8"))
         with tempfile.TemporaryDirectory() as folder:
             resources = {"metadata": {"path": folder}}
-            client = NotebookClient(notebook, timeout=300, resources=resources)
+            client = NotebookClient(notebook, timeout=HANGS, resources=resources)
             client.record_timing = False  # the same file each time
-            client.execute()
+            try:
+                client.execute()
+            except (CellExecutionError, CellTimeoutError, DeadKernelError) as error:
+                failed.append(name)
+                print(f"{name}.md: {error}", file=sys.stderr)  # quotes the cell
+                continue
         nbformat.write(notebook, arguments.out / f"{name}.ipynb")
         print(f"Wrote {arguments.out / name}.ipynb")
+    if failed:
+        sys.exit(f"failed: {', '.join(failed)}")
 
 
 if __name__ == "__main__":

@@ -61,7 +61,7 @@ def missing(module: str, name: str, names: Iterable[str]) -> AttributeError:
                 )
     from .arguments import nearest
 
-    similar = nearest(name, names)
+    similar = "" if name.startswith("_") else nearest(name, names)
     advice = f". Did you mean {short}.{similar}?" if similar else ""
     return AttributeError(f"No {module} attribute {name}{advice}")
 
