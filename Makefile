@@ -67,7 +67,7 @@ lint: $(READY)  ## ruff, mypy and sizes
 
 docs: $(SITE)  ## the site in build/docs: warnings are errors, notebooks run
 	OPENBLAS_NUM_THREADS=1 $(BIN)/sphinx-build --fail-on-warning --keep-going --nitpicky --quiet \
-		-d build/doctrees docs build/docs
+		-d build/doctrees docs build/docs || { test -f build/docs/searchindex.js || rm -rf build/docs; exit 1; }
 
 notebooks: $(SITE)  ## tutorials as notebooks with outputs, in build/tutorials
 	OPENBLAS_NUM_THREADS=1 $(BIN)/python tools/write_notebooks.py

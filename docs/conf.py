@@ -42,8 +42,12 @@ suppress_warnings = ["myst.header"]  # a page may begin its sections at the seco
 nb_execution_mode = "cache"
 nb_execution_cache_path = str(HERE.parent / "build" / "notebooks")
 nb_execution_in_temp = True  # an empty folder for each
-nb_execution_show_tb = True  # names page and cell; a warning, so the other pages are built
-nb_execution_timeout = 3600  # s of wall time for a cell: only a hang meets it, whatever the load
+nb_execution_show_tb = (
+    True  # names page and cell; a warning, so the other pages are built
+)
+nb_execution_timeout = (
+    3600  # s of wall time for a cell: only a hang meets it, whatever the load
+)
 nb_merge_streams = True
 
 # The interface, from docstrings.  Types stand in their words, as numpydoc has them.

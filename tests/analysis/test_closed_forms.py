@@ -147,6 +147,7 @@ def test_learned_speed_and_current_are_those_of_the_adcp(facts):
 FIRST, *MORE = KINDS
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     "kind", [FIRST, *(pytest.param(k, marks=pytest.mark.slow) for k in MORE)]
 )
@@ -289,6 +290,7 @@ def test_mrac_is_proved_and_learns(run):
     assert table["5"][2] == pytest.approx(4, abs=0.4)
 
 
+@pytest.mark.long
 def test_the_pendulum_is_caught_from_near_angles_alone(run):
     caught, after, *_ = zip(*run(pendulum)[1].values(), strict=True)
     assert caught == ("yes", "yes", "yes", "no")

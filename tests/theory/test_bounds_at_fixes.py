@@ -124,12 +124,14 @@ REFUSED = [
 ]
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize(("values", "limits", "said"), REFUSED, ids=str)
 def test_what_is_not_certified_is_said(values, limits, said):
     with pytest.raises(clpt.ScenarioError, match=said):
         clpt.certify(survey(**values), **limits)
 
 
+@pytest.mark.long
 def test_intervals_beyond_the_run_are_left_out():
     found = clpt.certify(survey(**{"run.duration": 2.5}), shear=1e-6)
     assert found.interval.tolist() == [0.5, 1, 2]
@@ -165,6 +167,7 @@ def test_the_command_rounds_outward_and_draws(surveyed, printed, clpt, tmp_path)
     assert (tmp_path / "bound.png").stat().st_size > 5000
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("duration", [16.0, 24.0])
 @pytest.mark.sampled
 def test_a_whole_cycle_of_the_track_is_judged(duration):

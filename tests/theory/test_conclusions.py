@@ -293,7 +293,7 @@ def test_what_e_adds_to_the_gains_is_refuted():
 # --- claims --------------------------------------------------------------------------------------
 
 
-@pytest.mark.sampled
+@pytest.mark.long
 @pytest.mark.parametrize("share", [1.0, 0.5, 0.1])
 def test_a_claim_that_is_weaker_is_proved(share):
     claim = lambda s: -share * s.am * (s.y - s.ym) ** 2  # noqa: E731
@@ -406,6 +406,7 @@ def test_a_right_V_is_proved(name):
     assert found.conclusion in (strongest, *(WEAKER[strongest] if least else ()))
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize(
     "name",
     [

@@ -581,6 +581,7 @@ def test_measures_that_grow_less_than_a_square_are_definite(V, rate):
     assert sympy.simplify(found.rate - sympy.sympify(rate, {"e": e})) == 0
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("V", ["log(1 + abs(e))", "2*abs(e) - log(1 + abs(e))"])
 def test_a_measure_with_a_kink_at_rest_is_not_smoothed(V):
     """Its slope at 0 jumps from -1 to 1."""

@@ -61,6 +61,7 @@ def test_a_claim_is_a_formula(factor, status):
     )
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize(
     ("V", "forms", "rate"),
     [
@@ -205,6 +206,7 @@ def test_choices_and_limits_are_set_as_in_a_paper():
     )
 
 
+@pytest.mark.long
 def test_a_long_rate_is_broken_into_lines():
     """V' of three oscillators; brackets with a break in them have no left and right."""
     text = well_formed(verdict_of(KURAMOTO))
@@ -223,6 +225,7 @@ def test_claims_of_a_law_are_mathematics():
     assert rf"\item $\dot V = {known}$, for every $N$ (exact)" in text
 
 
+@pytest.mark.long
 def test_conclusions_and_conditions_are_mathematics():
     text = well_formed(verdict_of(SWING))
     assert r"$v$, $\sin{\left(x \right)}$ go to zero." in text

@@ -45,6 +45,7 @@ def crossed(s):
     return 1.5 * s.x**2 + s.x * s.v + s.v**2
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize(
     ("system", "bounds", "level"),
     [
@@ -69,6 +70,7 @@ def test_the_sentence_names_the_bounds():
     assert sentence == "V' <= -V + 4.5, so V comes down to 4.5; where -1 <= d <= 3"
 
 
+@pytest.mark.long
 def test_corners_that_pull_unequally_give_a_higher_level():
     level = clpt.lyapunov(cubic, half, where={"d": (-1, 3)}).level
     # the least rate with the largest push: V at the rest is 3^(2/3)/2
@@ -387,6 +389,7 @@ def test_a_rest_that_v_reaches_in_a_time_is_asymptotically_stable():
         assert found.conclusion == "asymptotically stable"
 
 
+@pytest.mark.long
 def test_sliding_control_overcomes_its_disturbance():
     sliding = loop(lambda x, u, p: -2 * np.sign(x) + u.d)
     conclusions = [
@@ -480,6 +483,7 @@ REGIONS = {  # x' = -d x + x^3 falls where x^2 < d
 }
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize(("rates", "bounds", "level"), REGIONS.values(), ids=REGIONS)
 def test_a_region_for_inputs_between_bounds(rates, bounds, level):
     box = {"x": (-0.9, 0.9)}

@@ -62,6 +62,7 @@ def test_a_weight_of_V_is_itself(y_weight):
     assert (verdict.status == "proved") == (Fraction(y_weight) >= Fraction(1, 4))
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("r", [1.0, ABOVE_1])
 def test_a_parameter_is_itself(r):
     """Lorenz with V = x^2/s + y^2 + z^2: V' <= 0 for r <= 1."""
@@ -94,6 +95,7 @@ def test_a_relation_that_leaves_by_an_ulp_is_not_kept(rate):
     assert (verdict.status == "proved") == (rate == 1)
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("value", ["2.0", "2.0000000000000004"])
 def test_values_of_parameters_print_their_last_digit(value):
     """x' = -(k - 1) x needs the value of k where k > 1 is not assumed."""

@@ -133,6 +133,7 @@ def test_a_wrong_law_breaks_its_promise(name):
     assert set() < broken <= BREAKS[name]
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("name", ["learned-flow", "drem"])
 def test_a_run_of_the_scenario_shows_the_broken_promise(name):
     """By its V, or by the errors of its parameters: at rtol = 1e-12, of the run itself."""

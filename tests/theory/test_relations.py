@@ -306,6 +306,7 @@ def test_two_distances_that_drive_each_other():
     assert lyapunov(pair(0.5), squared, keeps=lines).status == "proved"
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("share", [1.1, 1.0 + 1e-6, -2.0])
 def test_distances_that_grow_in_discrete_time(share):
     law = clpt.Block(

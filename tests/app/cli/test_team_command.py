@@ -48,6 +48,7 @@ def test_what_takes_no_team_says_so(refused_for):
     refused_for(["team"], "excitation", FILE, "--figure", "x.png")
 
 
+@pytest.mark.long
 def test_the_example_draws_what_it_says(capsys):
     example.main(Path("team.png"))
     said = capsys.readouterr().out

@@ -41,6 +41,7 @@ def test_a_run_and_its_file_as_xarray_opens_it(made, scenario, tmp_path):
     assert report["kind"] == "Run of a scenario"
 
 
+@pytest.mark.long
 def test_a_field_is_found_from_the_file_alone(scenario, tmp_path):
     """The scenario's field is relative to its file, also for xarray's own opening."""
     uniform_field(tmp_path / "field.nc")
@@ -56,6 +57,7 @@ def test_a_field_is_found_from_the_file_alone(scenario, tmp_path):
     assert xarray.open_zarr(out, consolidated=False).clpt.scenario.field_path.is_file()
 
 
+@pytest.mark.long
 def test_teams_ensembles_and_replays(made, scenario, tmp_path):
     data = made["replay"].dataset()
     for kind, one, count in (

@@ -145,6 +145,7 @@ def test_numbers_of_waypoints_are_off_the_track(made):
     plt.close("all")
 
 
+@pytest.mark.long
 def test_a_legend_is_off_the_curves(made):
     for name in ("clpe", "learning"):
         for ax in made["run"].clpt.plot(name):

@@ -292,6 +292,7 @@ def test_an_ensemble_that_failed_has_its_page(words):
     assert re.search(f"(?s){said}", text)
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("done", [0, 1])
 def test_an_ensemble_under_way_says_how_far_it_is(tmp_path, done):
     """Chunks that a killed process has not written have no files."""
@@ -321,6 +322,7 @@ def test_a_team_has_its_page_and_a_replay_that_of_the_watch(tmp_path):
     assert "glider: next surfacing" in page.read_text("utf-8")
 
 
+@pytest.mark.long
 @pytest.mark.usefixtures("undrawn")
 def test_the_command_looks_at_what_a_file_is_and_figures_have_their_formats(
     run, clpt, tmp_path

@@ -22,6 +22,7 @@ pytestmark = pytest.mark.skipif(
 )
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("options", [(), ("-DBASIS_LANES",)])
 def test_c_agrees_with_the_reference(options):
     times, reference = cases.reference_states()

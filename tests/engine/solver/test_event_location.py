@@ -215,6 +215,7 @@ def test_rounding_is_no_kink():
     assert found.attrs["solver_restarts"] < 5
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize(("seed", "which", "tight"), [(1, 3, 1.0), (2, 30, 1e-4)])
 def test_a_kink_that_is_met_at_a_tangent_is_crossed(seed, which, tight):
     """Rates of the projection law turn along a ball: a step cut at the kink ends before it."""

@@ -64,6 +64,7 @@ def test_jumps_among_many_kinks_are_located():
     assert np.abs(run.states.values[:, CELLS] - closed_form).max() < 1e-10
 
 
+@pytest.mark.long
 def test_a_run_that_slides_among_many_kinks_is_right():
     run = clpt.simulate(system(cells_and_slider, 21), TIMES, None, [*WAVE[::5], 0.0])
     assert "sliding on a switch" in run.attrs["method"]

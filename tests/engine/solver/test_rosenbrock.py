@@ -253,6 +253,7 @@ def food_web(seed):
     )
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("method", ["auto", "rodas5p"])
 @pytest.mark.parametrize("seed", range(6))
 def test_absent_groups_of_species_stay_absent(seed, method):
@@ -298,6 +299,7 @@ def test_absent_species_of_members_stay_absent():
 # --- in a diagram with pieces, jumps and guards -------------------------------------------------
 
 
+@pytest.mark.long
 def test_a_stiff_law_runs_through_its_waypoints():
     gain = {"learning.composite_memory.memory_gain": 1e4, "run.duration": 100}
     runner, start = loop_of({"learning.law": "composite-memory", **gain})

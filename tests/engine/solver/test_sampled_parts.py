@@ -238,6 +238,7 @@ def test_what_is_refused(said):
         REFUSED[said]()
 
 
+@pytest.mark.sampled
 @every_engine
 def test_a_switch_that_is_sampled_does_not_chatter(engine):
     """x' = -0.2 x + v, v = sign(1 - x) each 0.1: exact from sample to sample."""

@@ -143,6 +143,7 @@ REFUSED = {
 }
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("why", REFUSED)
 def test_what_has_no_series_is_refused(why):
     diagram = REFUSED[why]
@@ -241,6 +242,7 @@ def test_long_orbits_stay_exact():
     assert method == "Taylor 19"
 
 
+@pytest.mark.long
 def test_loops_are_unrolled_and_progress_is_told():
     chain = clpt.Block(
         "chain",
@@ -355,7 +357,7 @@ def test_sensitivities_of_roots_by_series(name):
     )
 
 
-@pytest.mark.sampled
+@pytest.mark.long
 @pytest.mark.parametrize(
     "norm", [np.linalg.norm, lambda x: np.hypot(x[0], x[1]), lambda x: (x @ x) ** 0.5]
 )

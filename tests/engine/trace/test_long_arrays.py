@@ -118,6 +118,7 @@ def test_any_mixture_is_as_python_runs_it(runs, rows):
     as_it_runs(block_of(mixed), "update", 0.0, X, [], 1e-11)  # 800 numbers that cancel
 
 
+@pytest.mark.long
 def test_a_large_scalar_program_gives_the_numbers_of_slices():
     n = 500
     start, times = np.sin(np.arange(n)), [0.0, 0.5, 1.0]

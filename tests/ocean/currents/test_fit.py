@@ -196,6 +196,7 @@ def test_a_field_is_written_beside_its_scenario_or_neither(fit, tmp_path):
     assert [one.name for one in tmp_path.iterdir()] == ["taken_field.nc"]
 
 
+@pytest.mark.long
 def test_saved_scenario_and_field_belong_together(fit, tmp_path):
     scenario = fit.save(tmp_path / "north.toml")
     assert sorted(p.name for p in tmp_path.iterdir()) == [

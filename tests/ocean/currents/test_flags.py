@@ -122,6 +122,7 @@ def test_a_current_that_is_flagged_everywhere_is_refused_with_the_count():
     )
 
 
+@pytest.mark.long
 def test_flags_of_many_files_are_counted_together(tmp_path):
     data = current().assign(u_qc=flag(1, 4))
     for k in range(49):  # each with a scalar time

@@ -114,6 +114,7 @@ def in_shear(seed, size):
     ]
 
 
+@pytest.mark.long
 def test_shear_is_learned_where_dives_change_their_depth():
     model, gains = {"flow": ("steady", "shear")}, []
     for seed in range(2):
@@ -196,6 +197,7 @@ def survey(seed, count=48, speed=0.3, T=14400.0):
     return dives
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("count", [1, pytest.param(4, marks=pytest.mark.slow)])
 def test_a_map_learned_helps_where_the_flow_stays(count):
     gains = []

@@ -320,6 +320,7 @@ def test_a_log_that_is_not_in_order_is_refused(tmp_path, estimate):
     assert "Sort the rows by time" in estimate(path, status=2)
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("skipped", [0, 1])
 def test_the_origin_is_the_start_of_the_first_leg_that_is_learned(
     tmp_path, estimate, skipped

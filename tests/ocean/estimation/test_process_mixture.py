@@ -136,6 +136,7 @@ def test_the_oldest_dives_are_dropped_exactly():
         assert found == pytest.approx(expected, rel=1e-6, abs=1e-3)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("count", [200, pytest.param(1000, marks=pytest.mark.slow)])
 @pytest.mark.sampled
 def test_covariances_stay_positive_over_many_dives(count):
@@ -192,6 +193,7 @@ def trial_dives(seed, size, depths):
     ]
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("size", [0.05, 0.1])
 def test_ellipses_hold_while_a_vehicle_dives_deeper(size):
     depths = [100.0] * 6 + [200.0, 400.0, 800.0, 1000.0]
@@ -215,6 +217,7 @@ def test_depth_counts_only_while_it_grows():
         assert np.array_equal(step.covariance, other.covariance)
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize(
     ("flow", "there", "absent"),
     [("M2", "tides", "inertial"), ("inertial", "inertial", "tides")],

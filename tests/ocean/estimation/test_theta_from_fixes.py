@@ -68,6 +68,7 @@ def test_the_true_parameters_are_not_read(lap):
     )
 
 
+@pytest.mark.long
 def test_a_limited_speed_and_a_modelled_flow_are_known():
     values = {"vehicle.max_speed": 1.5, "model.parameters": 0.5 * THETA}
     run = clpt.simulate(PAPER.with_values(FINE | values))
@@ -159,6 +160,7 @@ def test_a_run_that_is_read_with_noise_says_how_well_it_tells():
     )
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("every", [2.0, 10.0])
 @pytest.mark.sampled
 def test_the_motion_of_a_run_is_never_called_wrong(lap, every):

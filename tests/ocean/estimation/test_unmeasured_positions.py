@@ -408,6 +408,7 @@ def computed(kind, fixes, every=600.0):
     return [*rows, fixes[-1]]
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("digits", [7, 5])
 @pytest.mark.parametrize("kind", ["moved", "current", "filter", "spline"])
 def test_computed_positions_are_a_question(tmp_path, kind, digits):

@@ -62,7 +62,7 @@ def test_a_note_is_taken_back_when_the_next_legs_disagree():
     assert "the fix 1 before it is right after all: the flow changed" in notes[22]
 
 
-@pytest.mark.sampled
+@pytest.mark.long
 @pytest.mark.parametrize("share", [0.05, 0.2])
 def test_many_wild_fixes_cost_little(share):
     """At most three times the error of least squares that knows the right ones."""
@@ -81,7 +81,7 @@ def test_many_wild_fixes_cost_little(share):
     assert np.sqrt(np.mean(np.square(errors))) < 3 * np.sqrt(np.mean(np.square(best)))
 
 
-@pytest.mark.sampled
+@pytest.mark.long
 @pytest.mark.parametrize(("scatter", "most"), [(0.005, 1.0), (0.1, 0.97), (0.2, 0.97)])
 def test_regions_hold_their_share_in_rough_and_calm_seas(scatter, most):
     inside = []

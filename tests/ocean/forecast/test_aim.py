@@ -125,6 +125,7 @@ def test_what_cannot_be_made_is_said():
     assert json.dumps(legs[0].as_dict(), allow_nan=False)
 
 
+@pytest.mark.long
 @settings(derandomize=True, max_examples=25, deadline=None)
 @given(
     st.floats(-75, 75), st.floats(-180, 180), st.floats(0, 360), st.floats(200, 2500)

@@ -215,7 +215,7 @@ def wild_fix():
     return dives
 
 
-@pytest.mark.sampled
+@pytest.mark.long
 @pytest.mark.parametrize(
     "dives", [sample_dives(), recent(8, 9.0), wild_fix(), fixes_of(1)]
 )
@@ -301,6 +301,7 @@ def test_a_vehicle_without_a_name_is_called_by_its_file(command, tmp_path):
     assert named["vehicle"] == "SG542"
 
 
+@pytest.mark.long
 @pytest.mark.usefixtures("undrawn")
 def test_the_factor_on_speed_is_beside_that_of_a_week_ago():
     """A made vehicle that loses a fifth of its speed; 4 h dives, about six a day."""

@@ -286,6 +286,7 @@ def known(tmp_path_factory):
     return fit, folder
 
 
+@pytest.mark.long
 def test_a_fitted_basis(known):
     """As far from the known flow as the fit's own residual, and turned to east and north."""
     fit, folder = known

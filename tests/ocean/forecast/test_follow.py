@@ -187,6 +187,7 @@ def test_files_are_in_the_order_of_their_numbers(tmp_path):
         assert growing.feed(used).steps is first
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("name", ["x" * 240 + ".csv", "\udcff.csv"])
 def test_a_file_with_an_odd_name_hides_no_other(inbox, watch, name):
     (inbox / name).write_text("any")

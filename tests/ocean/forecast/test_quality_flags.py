@@ -104,6 +104,7 @@ def test_a_vehicle_that_a_boat_has_moved_is_forecast_from_where_it_is():
         assert one.forecast == pytest.approx(other.forecast, abs=60)
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("fix", ["gpse", "gps2"])
 def test_one_by_one_is_all_at_once_and_a_forecast_is_that_of_its_step(fix):
     """Of a dive that is learned again the forecast stays, and no later end is read."""
@@ -190,6 +191,7 @@ def test_one_wrong_dead_reckoning_is_learned_for_one_dive_only():
     assert later_rms(replay, 10) < 1.3 * later_rms(clean, 10)
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("size", [0.1, 0.2, 0.4])
 @pytest.mark.parametrize(
     ("stay", "wind"), [(300.0, (0.0, 0.0)), (3000.0, (-700.0, 0.0))]
@@ -209,6 +211,7 @@ def test_a_current_that_changes_is_followed(size, stay, wind):
     assert later_rms(changed, 12) < 1.2 * later_rms(same_current, 12)
 
 
+@pytest.mark.long
 def test_outliers_one_by_one_are_those_at_once():
     dives = sea(
         14, stay=5400.0, current=lambda number: CURRENT * (1 + 4 * (number > 9))

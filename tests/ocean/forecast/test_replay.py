@@ -98,6 +98,7 @@ def test_a_speed_far_from_one_is_a_sentence(factor, said):
 ONE = replay_dives(DIVES[:1])
 
 
+@pytest.mark.long
 @settings(derandomize=True, max_examples=200, deadline=None)
 @given(st.floats(-90, 90), st.floats(-360, 360))
 def test_minutes_are_the_degrees(lat, lon):
@@ -246,6 +247,7 @@ def test_dive_by_dive_is_all_at_once():
         assert (growing.learned == [dive.number for dive in DIVES]) == once
 
 
+@pytest.mark.long
 def test_what_changed_is_learned_anew():
     eight = vehicle(2, 8)
     fourth = eight[3]

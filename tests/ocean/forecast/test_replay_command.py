@@ -251,6 +251,7 @@ def test_the_headline_is_the_dive_that_is_aimed(command):
 # --- following a folder, and the hook of basestation3 that does ---
 
 
+@pytest.mark.long
 @pytest.mark.usefixtures("undrawn")
 def test_the_command_follows(follow, sample, tmp_path):
     (tmp_path / "in").mkdir()

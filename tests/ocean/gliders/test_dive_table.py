@@ -484,6 +484,7 @@ def apart():
     return [at(10 + k, rng.choice([40.0, 40.0, 41.0, -40.0])) for k in range(60)]
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("pool", [overlapping(), apart()], ids=["in time", "in place"])
 def test_no_choice_looks_ahead(pool):
     whole = numbers(pool)[0]

@@ -157,6 +157,7 @@ def igrf_at(dive):
     return replay.aims([place], start=start)[0].magnetic_variation
 
 
+@pytest.mark.long
 def test_og1_dead_reckoning_of_speed_and_heading(tmp_path, printed, refused):
     variation = "replay", tmp_path / "og1.nc", "--variation"
     for dive in mission(tmp_path, drop=NO_STEPS, **TURNED):
