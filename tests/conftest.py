@@ -22,23 +22,22 @@ gc.disable()  # a seventh of the time is taken by looking for garbage, of which 
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items):
-    """Leave cases of a test with three or more to others than `make test`, two of three.
+    """Run one of nine cases of a test with three or more in `make test`; the others are `long`.
 
-    Those of damaged files are `slow`, others are `long`.  A test that is marked `sampled` leaves
-    eight of nine, however many it has; tests in Coq leave cases only if they are marked.
+    So it is with any number of cases of a test that is marked `sampled`, one of three in Coq, which
+    leaves none unmarked.  Of damaged files it is one of three, the others are `slow`.
     """
     cases = Counter(item.nodeid.partition("[")[0] for item in items)
     for item in items:
         case = getattr(item, "callspec", None)
         place = sum(case.indices.values()) if case else 0
-        in_coq = item.get_closest_marker("coq")
         is_damaged = item.path.name.startswith("test_damaged_")
-        if item.get_closest_marker("sampled") and not is_damaged:
-            every = 3 if in_coq else 9
-        else:
-            is_long = cases[item.nodeid.partition("[")[0]] > 2 and not in_coq
-            every = 3 if is_damaged or is_long else 1
-        if place % every:
+        in_coq = item.get_closest_marker("coq")
+        is_family = item.get_closest_marker("sampled") or (
+            cases[item.nodeid.partition("[")[0]] > 2 and not in_coq
+        )
+        every = 3 if is_damaged or in_coq else 9
+        if place % every and (is_family or is_damaged):
             item.add_marker(pytest.mark.slow if is_damaged else pytest.mark.long)
 
 

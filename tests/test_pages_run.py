@@ -106,7 +106,6 @@ def test_commands_have_the_words_that_they_need(path):
         clpt.commands[name].make_context(name, words)
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("path", list(pages()))
 def test_every_block_runs(path, tmp_path, monkeypatch):
     if not shutil.which("sh"):

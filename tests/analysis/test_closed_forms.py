@@ -45,6 +45,7 @@ def test_peak_gain_in_closed_form():
     assert peak_gains(ringing, 0.01, [2000]) == pytest.approx(4 / np.pi, rel=3e-3)
 
 
+@pytest.mark.long
 def test_the_worst_disturbance_is_attained_by_the_closed_loop():
     """Bang-bang Delta = Dmax sign(c Phi b) in the wired diagram; (33) claims 1."""
     paper, step, end, size = clpt.paper_scenario(), 0.04, 161.0, 0.001
@@ -107,6 +108,7 @@ def random_runs(rng, count):
     return np.concatenate(times), e, delta, V0, k
 
 
+@pytest.mark.long
 def test_the_mean_square_bound_holds_for_random_disturbances():
     rng = np.random.default_rng(11)
     violated, tightest = [], []
@@ -297,6 +299,7 @@ def test_the_pendulum_is_caught_from_near_angles_alone(run):
     assert max(after) <= 20
 
 
+@pytest.mark.long
 def test_the_tank_does_not_overflow_with_anti_windup(run):
     table = run(tank)[1]
     with_it, without = table["with anti-windup"], table["without"]

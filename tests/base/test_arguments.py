@@ -264,7 +264,6 @@ def right(tmp_path_factory):
     return named, own
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("function", list(public_callables()))
 @pytest.mark.filterwarnings(
     "ignore:initial_state is too short"

@@ -230,7 +230,6 @@ FINALS = [  # a diagram, what varies, the initial state, outputs at the end by t
 ]
 
 
-@pytest.mark.sampled
 @pytest.mark.usefixtures("engine")
 @pytest.mark.filterwarnings("ignore:.*runs in Python")
 @pytest.mark.parametrize(("diagram", "vary", "start", "wanted"), FINALS)
@@ -493,6 +492,7 @@ def test_a_loop_runs_as_its_scenario_says():
     assert np.abs(found.e[0] - exact.clpe).max() > 1e-9
 
 
+@pytest.mark.long
 def test_members_that_grow_and_turn_ever_faster_end_early():
     def rates(t, x, u, p):
         return [p["growth"] * x[0], x[0] * x[2], -x[0] * x[1]]

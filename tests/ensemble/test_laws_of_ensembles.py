@@ -50,7 +50,6 @@ NOISY = {  # noise of the flow and of the position begin with one seed, and chan
 SEEDS = ["flow.disturbance.seed", "localization.seed"]
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize(
     ("values", "keys", "range_"),
     [
@@ -75,7 +74,6 @@ BESIDE = {"switching-sigma", "e-modification", "dead-zone", "normalised-gradient
 BESIDE |= {"least-squares", "composite-least-squares"}
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize(
     "name",
     [pytest.param(n, marks=pytest.mark.slow) if n in BESIDE else n for n in LAWS],
@@ -132,7 +130,6 @@ def slow(tau):
     return {"insert": {("v_x", "vehicle"): control.tf(1, [tau, 1], name="lag")}}
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize(
     ("changes", "values", "vary"),
     [

@@ -71,7 +71,6 @@ VARIED = {  # what is not as in the paper's scenario, and what differs from memb
 }
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("lanes", [False, True])
 @pytest.mark.parametrize("case", VARIED)
 def test_members_equal_single_runs(case, lanes):

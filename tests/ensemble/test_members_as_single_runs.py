@@ -44,7 +44,6 @@ def network(seed):
     ), 0.3 * draw.normal(size=n)
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("seed", range(12))
 def test_members_have_the_bits_of_simulate(seed):
     """Eight members run side by side: their sums have the order of one run."""
@@ -144,7 +143,6 @@ LEGS = {  # rates, times, k, initial state, and the words of a run's method
 }
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("threads", [1, 2])
 @pytest.mark.parametrize("name", LEGS)
 def test_members_go_on_as_simulate_does(name, threads):

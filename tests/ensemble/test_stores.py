@@ -107,7 +107,6 @@ DAMAGES = [  # a file, what happens to it, what is said: its array is not as it 
 ]
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize(("name", "damage", "said"), DAMAGES)
 def test_a_damaged_ensemble_is_a_sentence(whole, out, name, damage, said):
     """It is named before it is gone on with, or shown; nothing is written."""
@@ -137,7 +136,6 @@ CHUNKS = [
 ]
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize(("name", "damage"), CHUNKS)
 def test_a_damaged_chunk_is_run_again(whole, out, name, damage):
     damage(out / name)

@@ -346,7 +346,6 @@ def test_members_without_a_grid_are_squares_at_their_numbers():
     )
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("width", [5.0, 7.0, 12.0])
 @pytest.mark.parametrize("b", [MANY, FEW])
 def test_numbers_below_small_axes_do_not_overlap(width, b):

@@ -277,7 +277,6 @@ def test_gains_of_two_signs_have_times_of_their_magnitudes():
     assert (made.filter, made.tracking) == pytest.approx((0.05, np.sqrt(5.0)))
 
 
-@pytest.mark.sampled
 @every_engine
 @pytest.mark.parametrize("dt", [None, 0.5])
 def test_a_gain_of_zero_has_no_state(dt, engine):

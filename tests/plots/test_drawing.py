@@ -135,7 +135,6 @@ def test_mermaid_shows_gains_nested_diagrams_and_parts_of_a_port():
 # --- the layout -------------------------------------------------------------------------
 
 
-@pytest.mark.sampled
 def test_arrows_go_around_boxes_and_join_the_right_ones(drawn):
     diagram, routed, nets, nodes = drawn
     made = {name: box for name, box in routed.boxes.items() if name in nodes}
@@ -196,7 +195,6 @@ def test_the_picture_of_the_paper_is_what_an_engineer_would_draw():
 # --- the file ---------------------------------------------------------------------------
 
 
-@pytest.mark.sampled
 def test_svg_holds_every_block_arrow_and_equation(drawn, tmp_path):
     diagram, routed, nets, nodes = drawn
     draw(diagram, tmp_path / "loop.svg")
@@ -221,7 +219,6 @@ OTHERS = {
 }
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("suffix", [".svg", ".png", ".pdf", ".mmd"])
 def test_files_are_the_same_every_time_whatever_a_users_settings(tmp_path, suffix):
     starts = {
@@ -252,7 +249,6 @@ def test_mistakes_are_one_sentence(tmp_path, name, said):
     assert not [*tmp_path.iterdir()]
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize(
     "name", ["\u2028", " ", "\u00a0", "\u200b", "\ud800", "$x", "<b>"]
 )

@@ -263,7 +263,6 @@ TRAPS = {
 }
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("trap", TRAPS)
 def test_a_trap_ends_with_a_time_and_a_sentence(trap):
     rate, start, after, before = TRAPS[trap]
@@ -397,7 +396,6 @@ def test_logarithms_of_constants_are_enclosed():
     assert float((tube.upper - tube.lower)[-1].max()) < 1e-13
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize(
     ("rate", "start", "end", "exact", "jumps"),
     [
@@ -667,7 +665,6 @@ def test_boxes_over_intervals_are_those_of_the_intervals():
     assert float((tube.over_upper - tube.over_lower)[1:].max()) < 1.5
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize(
     ("rate", "start", "end"),
     [

@@ -110,7 +110,6 @@ def stepped(runner, x, u, times):
     return np.array(states)
 
 
-@pytest.mark.sampled
 @needs_cc
 @pytest.mark.parametrize("name", [name for name in MODELS if name != "stiff"])
 def test_the_numbers_are_those_of_the_blocks(name, tmp_path):
@@ -359,7 +358,6 @@ def system_with_states(seed):
             return system
 
 
-@pytest.mark.sampled
 @needs_cc
 @pytest.mark.parametrize("start", STARTS)
 def test_random_programs_in_c_compute_what_python_computes(start, tmp_path):

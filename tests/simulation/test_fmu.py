@@ -104,7 +104,6 @@ def end_of(name):
 EVENTS = "papers-loop", "mrac", "sampled-tank", "teeth"
 
 
-@pytest.mark.sampled
 @needs_cc
 @pytest.mark.parametrize("name", EVENTS)
 def test_an_importer_gets_the_run(name, tmp_path):

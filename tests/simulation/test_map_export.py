@@ -337,7 +337,6 @@ def test_a_map_of_an_estimate_has_standard_errors(tmp_path, method):
     np.testing.assert_allclose(again.u, flow.u)
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("suffix", ["geojson", "kml"])
 @pytest.mark.parametrize("legs", [16, 1])
 def test_fixes_of_an_estimate_with_the_regions_of_their_forecasts(

@@ -153,7 +153,6 @@ CASES = {  # system, inputs, start, params
 }
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("engine", ["native", "python"])
 @pytest.mark.parametrize("name", CASES)
 def test_a_run_is_python_controls(name, engine):

@@ -40,7 +40,6 @@ def test_jumps_of_two_functions():
     np.testing.assert_allclose(run(two).states.values[:, 1], expected, atol=1e-7)
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("seed", range(len(python_models.TERMS)))
 def test_random_models_are_as_exact_as_python_controls(seed):
     """Against SciPy at 1e-10; evaluations are counted in the function itself."""

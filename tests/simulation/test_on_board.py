@@ -105,7 +105,6 @@ def compared(scenario, folder, duration, h, **export):
     return np.abs(in_c - in_python).max() / max(1.0, np.abs(in_python).max())
 
 
-@pytest.mark.sampled
 @needs_cc
 @pytest.mark.parametrize(
     "name", [n for n in clpt.laws() if n not in ("fix-regression", "concurrent")]

@@ -51,7 +51,6 @@ def test_every_keyword_is_tried():
     assert names == {*KEYWORDS, *BEYOND_SCENARIO} - {"start"}
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize(("system", "given"), RUNS)
 def test_a_run_is_repeated_from_its_file(clpt, tmp_path, system, given):
     run = package.simulate(system, **given)
@@ -66,7 +65,6 @@ def test_a_run_is_repeated_from_its_file(clpt, tmp_path, system, given):
         assert again.attrs["method"] == run.attrs["method"]
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("name", BEYOND_SCENARIO)
 def test_a_run_beyond_its_scenario_is_refused(clpt, tmp_path, name):
     system, given = BEYOND_SCENARIO[name]

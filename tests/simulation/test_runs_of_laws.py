@@ -28,7 +28,6 @@ def with_law(name, **more):
     return PAPER.with_values({**values, "learning.parameters": alpha, **more})
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("name", LAWS)
 def test_every_law_runs_and_keeps_its_V(name, tmp_path):
     scenario = with_law(name)
@@ -148,7 +147,6 @@ def test_a_law_that_is_sampled_is_the_sampled_block(period):
     assert run.attrs["engine"] == "native"
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize(
     "law", ["known-flow", "kalman-flow", "composite-memory", "drem"]
 )

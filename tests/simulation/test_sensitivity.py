@@ -12,7 +12,6 @@ import clpt_control as clpt
 EXACT = {"rtol": 1e-12, "atol": 1e-13}
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize(
     "name", [name for name, model in MODELS.items() if model.varied]
 )

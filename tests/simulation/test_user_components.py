@@ -305,7 +305,6 @@ def test_the_state_is_in_the_order_of_the_diagram():
     says(DataError, "has no states.", run.drop_vars("states").clpt.state, 7)
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize(
     ("name", "key", "value"),
     [

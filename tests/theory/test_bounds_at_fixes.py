@@ -124,7 +124,6 @@ REFUSED = [
 ]
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize(("values", "limits", "said"), REFUSED, ids=str)
 def test_what_is_not_certified_is_said(values, limits, said):
     with pytest.raises(clpt.ScenarioError, match=said):

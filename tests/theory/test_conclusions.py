@@ -189,6 +189,7 @@ def fading(t, x, u, p):
     }
 
 
+@pytest.mark.long
 def test_where_a_mean_is_known_no_level_is_said():
     law = Block(
         "own",
@@ -219,7 +220,6 @@ def marks_of(name):
     return [*marks, *[missing(reason)] * (name == "composite-least-squares")]
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize(
     "name", [pytest.param(name, marks=marks_of(name)) for name in clpt.laws()]
 )
@@ -321,6 +321,7 @@ def test_a_search_whose_V_misses_a_state_is_open():
     assert found.claim.startswith("no V was found, with u = 0, that is proved")
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("lag", [1.0, 1.9])
 def test_a_delay_is_said_to_be_a_stand_in(lag):
     """x' = -x(t - 1.9) leaves its rest, beyond pi/2; its Pade approximation does not."""
@@ -397,7 +398,6 @@ WEAKER = {
 }
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("name", STRONGER)
 def test_a_right_V_is_proved(name):
     text, strongest, least = STRONGER[name]
@@ -598,7 +598,6 @@ POSITIVE = {  # rates of states that stay at 0 or above, V: the conclusion, and 
 }
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("name", POSITIVE)
 def test_V_is_linear_in_states_that_stay_positive(name):
     rates, level, conclusion, most = POSITIVE[name]

@@ -84,6 +84,7 @@ def test_files_are_written_without_coqc(written):
     assert set(files) == {path.name for path in FIXED.glob("*.v")}
 
 
+@pytest.mark.long
 def test_the_command_says_that_nothing_is_checked(no_coqc, clpt):
     outcome = clpt("prove", "--coq", "out")
     assert outcome.status == 0

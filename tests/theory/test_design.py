@@ -247,7 +247,6 @@ KNOWN = {
 ONE_EACH = {"learning.gain": None, "learning.gains": EACH}
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("change", [{}, HELD, ONE_EACH, KNOWN], ids=str)
 def test_what_is_searched_for_is_what_v_falls_by(paper, change):
     """Against the transition of the error system, piece by piece, with a gain each."""

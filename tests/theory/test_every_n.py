@@ -33,7 +33,6 @@ def sizes_of(verdict):
     return [condition.of for condition in verdict.conditions if condition.name == "N"]
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("added", ADDED)
 def test_what_is_added_is_zero_for_every_N_or_for_two(added):
     verdict = prove(changed(f"K' = dK + ({added})")(), points=POINTS)
@@ -76,7 +75,6 @@ WRONG = [  # not zero for N = 2
 ]
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("added", WRONG)
 def test_what_is_not_zero_is_not_proved(added):
     verdict = prove(changed(f"K' = dK + ({added})")(), points=POINTS)
@@ -98,7 +96,6 @@ READ = {  # m' of a state that nothing reads -> whether it is alike for all func
 }
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("rate", READ)
 def test_what_is_not_alike_for_all_functions_is_proved_for_two(rate):
     verdict = prove(beside(f"m' = {rate}", {"m": 1})(), points=POINTS)

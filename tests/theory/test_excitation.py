@@ -62,7 +62,6 @@ def test_equal_functions_are_learnable_only_together(true_paper):
 
 
 @pytest.mark.parametrize(("step", "tolerance"), [(1.0, 2e-3), (0.7, 1e-3), (0.2, 1e-6)])
-@pytest.mark.sampled
 def test_a_recorded_run_gives_the_same(true_paper, step, tolerance):
     exact = gramian(true_paper, 200.0, 200.0).report
     run = clpt_package.simulate(true_paper.with_values({"run.output_step": step}))
@@ -78,7 +77,6 @@ def test_a_recorded_run_gives_the_same(true_paper, step, tolerance):
 
 
 @pytest.mark.parametrize("step", [7.0, 20.0, 500.0])
-@pytest.mark.sampled
 def test_what_samples_far_apart_do_not_say_is_not_known(paper, step):
     """An eigenvalue is 25 % off or more, and of two samples none can be left out to find it."""
     scenario = paper.with_values({"run.output_step": step})

@@ -61,7 +61,7 @@ def test_a_claim_is_a_formula(factor, status):
     )
 
 
-@pytest.mark.sampled
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("V", "forms", "rate"),
     [

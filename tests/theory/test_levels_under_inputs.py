@@ -45,7 +45,6 @@ def crossed(s):
     return 1.5 * s.x**2 + s.x * s.v + s.v**2
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize(
     ("system", "bounds", "level"),
     [
@@ -85,6 +84,7 @@ def test_a_vector_has_bounds_for_each_element():
     assert square(where={"d[0]": (-1, 1)}).status == "open"
 
 
+@pytest.mark.long
 def test_a_v_with_cross_terms_bounds_the_worst_run():
     verdict = clpt.lyapunov(spring, crossed, where={"d": (-1, 1)})
     assert verdict.conclusion == "ultimately bounded"
@@ -100,6 +100,7 @@ def test_a_v_with_cross_terms_bounds_the_worst_run():
     assert energy.status == "open"
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("amplitude", [1.0, 3.0])
 def test_no_run_ends_above_the_level(amplitude):
     level = clpt.lyapunov(cubic, half, where={"d": (-amplitude, amplitude)}).level
@@ -217,7 +218,6 @@ def test_no_level_in_discrete_time(rates, bounds):
     assert verdict.status == "open"
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize(
     ("rates", "V", "level"),
     [
@@ -424,7 +424,6 @@ SLIDING = {  # rates of x and v, where |d| <= 1: conclusion
 
 @pytest.mark.long
 @pytest.mark.parametrize("name", SLIDING)
-@pytest.mark.sampled
 def test_sliding_and_linear_terms_together(name):
     """x or v sticks off the rest, or is pushed away, where no conclusion is a rest."""
     rates, conclusion = SLIDING[name]
@@ -457,7 +456,6 @@ IN_BOUNDS = {  # rates, bounds of d, conclusion
 }  # fmt: skip
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize(
     ("rates", "bounds", "conclusion"), IN_BOUNDS.values(), ids=IN_BOUNDS
 )
@@ -483,7 +481,6 @@ REGIONS = {  # x' = -d x + x^3 falls where x^2 < d
 }
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize(("rates", "bounds", "level"), REGIONS.values(), ids=REGIONS)
 def test_a_region_for_inputs_between_bounds(rates, bounds, level):
     box = {"x": (-0.9, 0.9)}
@@ -612,6 +609,7 @@ def test_altered_file_is_refused(name, text, other, tmp_path):
     assert compiled(tmp_path, file[:start] + altered)[0] is False
 
 
+@pytest.mark.long
 def test_letters_of_a_sentence_are_none_of_the_loop():
     """Lorenz with its own r: V comes down to 4 b r^2 s/min(1, b, s)."""
     s, r, b = 10.0, 28.0, 8 / 3

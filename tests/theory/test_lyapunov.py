@@ -59,7 +59,6 @@ def test_a_point_that_refutes_is_not_near_the_equilibrium():
     assert found.value == pytest.approx(-v * (x + v / 5))
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize(
     "name", [pytest.param(name, marks=MARKS.get(name, ())) for name in CASES]
 )
@@ -288,7 +287,6 @@ def test_a_difference_of_an_increasing_function_is_read():
         ("x' = -y - x; y' = x + 8 - y**3; V = (x**2 + y**2)/2", None),
     ],
 )
-@pytest.mark.sampled
 def test_a_polynomial_of_one_state_comes_down_to_its_farthest_root(text, root):
     plant, V, *rest = written(text)
     found = clpt.lyapunov(plant, V, **dict(*rest))

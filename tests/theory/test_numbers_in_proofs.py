@@ -62,7 +62,7 @@ def test_a_weight_of_V_is_itself(y_weight):
     assert (verdict.status == "proved") == (Fraction(y_weight) >= Fraction(1, 4))
 
 
-@pytest.mark.sampled
+@pytest.mark.long
 @pytest.mark.parametrize("r", [1.0, ABOVE_1])
 def test_a_parameter_is_itself(r):
     """Lorenz with V = x^2/s + y^2 + z^2: V' <= 0 for r <= 1."""

@@ -35,7 +35,6 @@ def test_a_law_keeps_its_promises_along_runs(name):
     assert asked == {promise.claim for promise in LAWS[name].promises}
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("name", LEVELS)
 @pytest.mark.parametrize("delta", [(0.0, 0.0), (0.1, 0.0), (0.05, 0.2), (1.0, 3.0)])
 def test_the_level_that_is_proved_is_not_above_the_closed_form(name, delta):

@@ -179,7 +179,6 @@ def check(found, true, contraction):
     assert certificate.contraction > contraction * (1 - 1e-8) - 1e-12
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("name", LOOPS)
 def test_a_certified_rate_is_at_most_the_true_one(name):
     A, W, G, P, window, jumps, samples, windows = LOOPS[name]

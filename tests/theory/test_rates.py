@@ -150,6 +150,7 @@ def test_what_is_not_excited_has_no_rate():
     assert repr(found).endswith("errors have no half-life>")
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize(
     ("change", "line"), [("leak", r"th\[0\]'"), ("cubic", r"\(e\)'")]
 )
@@ -160,6 +161,7 @@ def test_another_form_is_refused_with_its_line(change, line):
         clpt.gramian(run, of=verdict, signals=["th[0]", "th[1]"])
 
 
+@pytest.mark.long
 def test_an_e_of_two_numbers_and_a_matrix_of_gains():
     A = np.array([[0.0, 1.0], [-2.0, -3.0]])
     B, G = np.array([0.0, 1.0]), np.array([[2.0, 0.5], [0.5, 1.0]])
@@ -263,7 +265,6 @@ def of_time(w, samples, start=1.0, **params):
     return clpt.gramian(run, of=verdict)
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize(
     "w",
     [
@@ -323,6 +324,7 @@ def test_a_run_without_its_diagram_is_refused_with_the_remedy(tmp_path):
         clpt.gramian(clpt.load_run(tmp_path / "run.nc"), of=verdict)
 
 
+@pytest.mark.long
 def test_a_term_that_a_small_error_hides_is_not_taken_for_none():
     """e0' of the run has k w e1 beside the verdict's, with e1 of 1e-6."""
     loops = [
@@ -365,6 +367,7 @@ def test_a_slow_direction_falls_to_a_tenth_by_its_half_life():
     assert 0.99 * true < found.time_to_tenth <= by_half_life
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("samples", [9, 41])
 def test_w_between_samples_is_seen(samples):
     def aliased(t):
@@ -402,6 +405,7 @@ def test_the_loop_is_that_of_the_run_in_the_window(b):
     assert 0.99 < 2 * np.log(2) / found.half_life / true < 1 + 1e-5
 
 
+@pytest.mark.long
 def test_the_rate_has_no_units():
     for u, s in ((1.0, 1.0), (2.0**-20, 1.0), (2.0**20, 2.0**10)):
         scales = np.array([s, 1 / s])
@@ -436,7 +440,7 @@ def test_w_that_is_zero_is_not_excited():
     assert found.report["half_life"] is None
 
 
-@pytest.mark.sampled
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("V", "said"),
     [
@@ -468,7 +472,6 @@ def test_the_paper_halves_within_the_time_of_several_windows():
     assert "halves at least every 663.5 s" in "".join(found.result.sentences)
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("kind", ["scenario", "run", "verdict"])
 def test_the_drawn_tubes_are_above_the_run(kind):
     paper, unit = clpt.paper_scenario(), " (m)"

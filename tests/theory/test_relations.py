@@ -71,6 +71,7 @@ def test_the_error_of_a_gradient_law_goes_to_zero():
     assert lyapunov(gradient(), squared).status == "refuted"  # off the line
 
 
+@pytest.mark.long
 def test_least_squares_with_one_parameter():
     """V' = -w^2 (h - th)^2/2 by hand, for every th."""
     verdict = lyapunov(least_squares(), weighted, keeps=on_line, where=POSITIVE)
@@ -180,7 +181,6 @@ def jumping(rates, jump):
     )
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize(
     ("jump", "status"),
     [
@@ -231,14 +231,12 @@ BESIDE = {  # r' of the distance r from the line
 }
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("name", BESIDE)
 def test_a_line_that_a_run_leaves_is_not_kept(name):
     verdict = lyapunov(gradient(BESIDE[name]), squared, keeps=on_line)
     assert verdict.status == "open"
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize(
     "change",
     [
@@ -284,6 +282,7 @@ def test_a_distance_that_another_drives(drive):
     assert verdict.failed[0].claim == "a distance from it does not grow"
 
 
+@pytest.mark.long
 def test_two_distances_that_drive_each_other():
     """(1 + w^2) times [[-1, 2], [2, -1]] has a negative trace, and a positive eigenvalue."""
 
@@ -346,6 +345,7 @@ def test_V_that_is_zero_on_the_line_shows_nothing():
     assert verdict.status == "open"
 
 
+@pytest.mark.long
 def test_runs_on_a_line_that_escape_are_not_said_to_exist():
     """w' = w^2 ends at t = 1/w(0)."""
     rates = FILTER | {
@@ -415,6 +415,7 @@ def test_a_distance_that_acts_more_and_more_is_not_kept_in_a_run(act, g, where):
     assert "may grow, and multiplies what rounding leaves" in verdict.sentence
 
 
+@pytest.mark.long
 def test_the_factor_of_a_distance_is_named():
     act, g, where = ACTS["d/g, g falls"]
     verdict = lyapunov(beside(act, g, r=False), of_x, keeps=tripled, where=where)
@@ -503,6 +504,7 @@ def test_a_rate_that_jumps_on_the_relation_is_named():
     assert "y may leave it: its rate may jump" in verdict.sentence
 
 
+@pytest.mark.long
 def test_a_divisor_between_zero_and_a_number_is_above_zero():
     law = least_squares(lambda x, u, p: -(x.P**2) * x.w**2)
     verdict = lyapunov(law, weighted, keeps=on_line, where={"P": (0, 10)})
@@ -537,7 +539,6 @@ NOT_KEPT = {
 }
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("name", NOT_KEPT)
 def test_P_that_may_reach_zero_is_not_kept_above(name):
     verdict = lyapunov(
@@ -652,6 +653,7 @@ def test_a_system_of_python_control_keeps_a_relation():
 # --- laws beside a plant ------------------------------------------------------------------------
 
 
+@pytest.mark.long
 def test_a_composite_law_with_least_squares():
     """Slotine and Li (1991), section 8.8: V' = -kd s^2 - (vf (bh - b))^2/2, s = v - vr."""
 
@@ -768,6 +770,7 @@ def test_a_claim_that_holds_is_not_refuted():
     assert verdict.bound == "e**2*k is at most h**2*r(t)**2/k"
 
 
+@pytest.mark.long
 def test_an_error_in_two_states_has_a_mean():
     rates = {
         "y": lambda x, u, p: -p.k * (x.y - x.m) - x.m + u.r + x.h * u.r,

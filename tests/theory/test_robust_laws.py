@@ -66,7 +66,6 @@ SAID = {  # conclusion, and a condition of its own
 }
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("name", LAWS)
 @pytest.mark.parametrize("N", [1, pytest.param(3, marks=pytest.mark.slow)])
 def test_a_robust_law_is_bounded(name, N):
@@ -126,7 +125,6 @@ def test_no_burst_after_a_drift_and_the_bound_does_not_know_the_regressor(faint,
             assert largest <= np.sqrt(2 * reached)
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("name", LAWS)
 def test_a_run_stays_in_the_set(name):
     """Against runs of the whole diagram with one function under Delta, started off the truth."""

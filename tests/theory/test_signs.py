@@ -116,7 +116,6 @@ CASES = {
 }
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize(("system", "V", "signs"), CASES.values(), ids=CASES)
 def test_the_signs_that_a_proof_needs_are_its_conditions(system, V, signs):
     verdict = clpt.lyapunov(system, V)
@@ -152,6 +151,7 @@ def V_of_adaptive(s):
     return (s.x - s.m) ** 2 / 2 + abs(s.b) / (2 * s.gamma) * missed
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("b", [3.0, -2.0])
 @pytest.mark.sampled
 def test_model_reference_control_assumes_the_sign_of_b_but_not_of_a(b):
@@ -173,6 +173,7 @@ def test_a_refutation_is_typeset_with_its_point():
     assert f" $x = {verdict.point.x[0]:.6g}$," in refuted
 
 
+@pytest.mark.long
 def test_values_are_printed_where_the_proof_is_of_them():
     system = block(
         lambda t, x, u, p: {"x": p.m * np.tanh(x.x) - p.k * x.x}, k=2.0, m=0.1
@@ -231,7 +232,6 @@ def test_values_are_fixed_only_of_parameters_that_need_them():
         ("x' = a*x - b*x**3; y' = -m*y; a = 1; b = 1; m = 3", "m > 0", "a = 1, b = 1"),
     ],
 )  # fmt: skip
-@pytest.mark.sampled
 def test_a_number_in_V_fixes_no_other_parameter(text, signs, values):
     plant, V = written(text)
     found = clpt.lyapunov(plant, V)
@@ -267,6 +267,7 @@ def test_a_loss_over_a_divisor_that_leaves_other_rests(text):
     assert clpt.lyapunov(plant, V).conclusion != "asymptotically stable"
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("b", [3.0, 0.5])
 def test_a_gain_of_any_size_keeps_a_function_definite(b):
     plant, V, *_ = written(
@@ -291,8 +292,8 @@ BETWEEN = [  # text -> the textbook's conditions
 ]  # fmt: skip
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("text", "between", "signs"), BETWEEN)
-@pytest.mark.sampled
 def test_a_condition_between_parameters_stands_for_their_values(text, between, signs):
     """V' <= 0 at random states and parameters that meet the conditions."""
     plant, V, *_ = written(text)

@@ -43,6 +43,7 @@ def fields_of(verdict):
 # --- rounding ---------------------------------------------------------------------------------
 
 
+@pytest.mark.long
 def test_a_gain_that_rounding_turns_is_not_proved():
     """g (1 - 1e16 (cos^2 r + sin^2 r - 1)) is g on symbols, and negative in floating point."""
     law = scaled(f"(1 - ({ONE} - 1)*1e16)", parameters=GAIN | {"r": 0.08})
@@ -87,6 +88,7 @@ def test_an_interval_has_no_margin():
     assert lyapunov(block, square_of_x).status != "proved"
 
 
+@pytest.mark.long
 def test_a_state_whose_rate_grows_with_the_interval_may_grow():
     law = beside(
         "s' = interval*s + e[:1]",
@@ -287,6 +289,7 @@ def test_a_V_that_makes_a_block_is_refused_of_a_diagram():
         lyapunov(loop, LEVEL)
 
 
+@pytest.mark.long
 def test_a_law_of_python_control_is_judged_as_a_block_is():
     def update(t, x, u, params):
         e, phi, z, zc = u[:2], u[2:4], u[4:6], u[6:8]
@@ -372,6 +375,7 @@ def test_a_wrong_law_is_refuted_by_both():
     assert lyapunov(loop, of_squares, points=50).status == "refuted"
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize(
     ("angle", "conclusion"), [(np.pi, "stable"), (3.0, "asymptotically stable")]
 )

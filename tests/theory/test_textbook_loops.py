@@ -18,6 +18,7 @@ def judged(text, **more):
 # --- numbers that doubles hold exactly ----------------------------------------------------------
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("a", [1e16, 2.0**52 + 0.5])
 @pytest.mark.parametrize("sign", [1, -1])
 def test_a_small_difference_of_exact_numbers_is_no_rounding(a, sign):
@@ -49,6 +50,7 @@ def test_a_search_that_finds_nothing_is_no_reason(text, where):
     assert [step.claim for step in verdict.failed] == ["V is positive definite"]
 
 
+@pytest.mark.long
 def test_a_divisor_is_judged_with_the_parameters_numbers():
     verdict = judged("x' = -x/(k - d); k = 2; input d", where={"d": (-1, 1)})
     assert (verdict.conclusion, verdict.failed) == (AT_REST, ())

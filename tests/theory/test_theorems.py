@@ -28,6 +28,7 @@ FOUND = {  # number -> status, points at which the blocks are called, counterexa
 }
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("number", FOUND)
 def test_what_is_found_of_a_theorem(proofs, number):
     """What is false as printed is corrected, each step of the correction exact."""
@@ -118,7 +119,6 @@ def test_prove_prints_json(printed):
         assert laws[name]["for_every_N"]
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("name", ["learned-flow", "sigma", "dead-zone", "known-flow"])
 def test_prove_one_law(printed, name):
     """By the command as by the function."""

@@ -184,7 +184,6 @@ def missing(verdict):
     return {name for name, text in REQUIREMENTS.items() if text in words}
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("name", SAMPLE)
 def test_file_says_what_the_sentence_says(name):
     verdict = judged(name)

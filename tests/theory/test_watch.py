@@ -26,7 +26,7 @@ def errors_of(run, scenario):
     return np.sqrt(run.e.values**2 + squares / scenario.learning.gain)
 
 
-@pytest.mark.sampled
+@pytest.mark.long
 @pytest.mark.parametrize("seed", range(20))
 def test_errors_of_each_run_are_below_the_carried_matrix(seed):
     """Twenty starts and disturbances, the blocks of one gramian."""
@@ -83,6 +83,7 @@ def test_a_recorded_run_has_the_norms_of_its_scenario():
     assert np.isnan(found.window_factor[2]).all()  # shorter
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("start", [0.0, 1e6])
 def test_e_of_two_numbers_a_matrix_of_gains_and_a_disturbance(start):
     """V = e'P e/2 + th'th/2 with G = L L', th = L h; Phi by DOP853, 10 other starts."""
@@ -183,6 +184,7 @@ def test_the_command_prints_norms_along_the_run(printed, tmp_path, monkeypatch):
     assert window == pytest.approx([0.55174, 0.56564], rel=1e-4)
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize(
     ("source", "window", "said"),
     [

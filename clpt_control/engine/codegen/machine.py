@@ -32,8 +32,8 @@ from ...base.progress import note
 VARIABLE = "CLPT_CONTROL_PROCESSOR"
 ENGINE = "CLPT_CONTROL_ENGINE"  # environment variable that names another default
 LANES = 8  # runs side by side, or iterations of a loop at once
-# of a family, "solver-" or none, some 6 kB each; the least recently used go. All tests of one state of
-# the engine make some 3,500: two states
+# of a family, "solver-" or none, some 6 kB each; the least recently used go.  All tests of a state
+# of the engine make up to 3,500
 MOST_FILES = 8000
 HASH = hashlib.sha256().digest_size
 LOCK = RLock()

@@ -100,6 +100,7 @@ def test_a_run_is_exported_as_a_map_of_its_flow(printed, clpt):
         assert "latitude" in flow.dims
 
 
+@pytest.mark.long
 def test_a_run_and_an_ensemble_are_exported_as_tables(printed, clpt):
     write({"run.duration": 40}, "p.toml")
     printed("run", "p.toml", "--out", "p.nc")
@@ -344,6 +345,7 @@ FAILED_IMPORTS = {  # raised at an import -> status, what is said
 }
 
 
+@pytest.mark.long
 def test_a_backend_that_matplotlib_does_not_have_is_a_mistake():
     done = ran(*CLPT, "laws", status=2, env={**os.environ, "MPLBACKEND": "nonsense"})
     sentence = "clpt: MPLBACKEND = 'nonsense': is not a backend of matplotlib. "
@@ -473,7 +475,6 @@ OFFERED += [(["prove", "sig"], ["sigma"]), (["tune", "--law", "sig"], ["sigma"])
 OFFERED += [(["ensemble", "none.toml", "--vary", "basis.wi"], ["basis.widths="])]
 
 
-@pytest.mark.sampled
 @pytest.mark.skipif(not shutil.which("bash"), reason="no bash")
 @pytest.mark.parametrize(("words", "offered"), OFFERED)
 def test_bash_completes(tmp_path, words, offered):

@@ -32,6 +32,7 @@ def test_a_team_runs_and_runs_again(clpt, printed):
     assert list(found["max_disagreement"]) == ["10", "12"]
 
 
+@pytest.mark.long
 def test_the_excitation_of_a_team(clpt, printed):
     found = printed("excitation", FILE, "--window", 300, "--start", 0)
     west, east, both = (found["smallest"][name] for name in ("west", "east", "team"))

@@ -56,7 +56,6 @@ def plot_of(made, kind, name):
     return partial(data.clpt.plot, name)
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize(("kind", "name", "count"), [*PLOTS, *METHODS])
 def test_on_given_axes(kind, name, count, made):
     """Something is drawn on each, nothing elsewhere, they come back; wrong ones are a sentence."""

@@ -98,7 +98,6 @@ CASES = {  # -> function, inputs, outputs, parameters
 }  # fmt: skip
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("case", CASES)
 def test_every_reading_gives_what_is_worked_out_by_hand(case):
     function, u, wanted, *parameters = CASES[case]

@@ -151,7 +151,6 @@ EXACT = {
 }
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("name", ACCURACY)
 def test_accuracy(name):
     tolerance, arguments = ACCURACY[name]
@@ -251,6 +250,7 @@ def same(name, as_one, *arrays):
     )
 
 
+@pytest.mark.long
 @FEW
 @given(some(), some(), some())
 def test_choices_are_numpys_bit_for_bit(a, b, c):

@@ -93,7 +93,6 @@ def as_python(diagram, points):
         np.testing.assert_allclose(found, wanted, rtol=1e-12, atol=1e-13, err_msg=name)
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("update", PROGRAMS)
 def test_every_form_is_numpys(update):
     block = block_of(update)
@@ -224,7 +223,7 @@ HALVES = [k / 2 for k in range(-18, 19) if k]
 WHOLE = [exponent for exponent in HALVES if exponent % 1 == 0]
 
 
-@pytest.mark.sampled
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("base", "exponents"),
     [(0.3, HALVES), (7.0, HALVES), (0.0, HALVES), (-0.0, HALVES), (-0.7, WHOLE)],

@@ -27,7 +27,6 @@ import clpt_control as clpt
 from clpt_control import ArgumentError, Block, BlockError, ClptError, check
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("block", EACH)
 def test_package_block_conforms(block):
     assert not check(block, samples=8).notes

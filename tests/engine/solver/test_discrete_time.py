@@ -72,7 +72,6 @@ def ran(system, engine, u, x0=0.0, **given):
     return np.vstack([port.values.reshape(STEPS, -1).T for port in ports])
 
 
-@pytest.mark.sampled
 @every_engine
 @pytest.mark.parametrize("case", SYSTEMS)
 def test_a_system_of_discrete_time_is_that_of_python_control(case, engine):

@@ -337,7 +337,6 @@ SWINGS = [
 ]
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("level", [0.5, 0.9, 0.95])
 @pytest.mark.parametrize(("frequency", "engine"), SWINGS)
 def test_a_run_stops_where_a_swinging_output_first_reaches_a_level(

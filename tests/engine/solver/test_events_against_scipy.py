@@ -114,7 +114,6 @@ def behind_event(compiled, t, x):
         assert step < 1e-8
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("case", FORMS)
 def test_scipy_finds_the_closed_form_and_the_run(case):
     rates, x0, wanted = case_of(case)

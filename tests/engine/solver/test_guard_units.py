@@ -44,7 +44,6 @@ def assert_landed(run, length, duration=1.0):
     assert height / length == pytest.approx(0.3, abs=1e-8)
 
 
-@pytest.mark.sampled
 @every_engine
 @every_length
 def test_a_run_stops_and_raises_at_a_height_in_any_unit(length, engine):

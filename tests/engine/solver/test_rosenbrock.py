@@ -99,6 +99,7 @@ def test_a_loose_run_in_python_goes_on_from_where_it_is_stiff():
     assert found.x[-1, 0] == pytest.approx(np.cos(1.0), abs=1e-3)
 
 
+@pytest.mark.long
 def test_when_python_looks_in_changes_no_number(monkeypatch):
     """How long a call of the solver is depends on the time it takes."""
 
@@ -253,7 +254,6 @@ def food_web(seed):
     )
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("method", ["auto", "rodas5p"])
 @pytest.mark.parametrize("seed", range(6))
 def test_absent_groups_of_species_stay_absent(seed, method):

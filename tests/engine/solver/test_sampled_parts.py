@@ -92,7 +92,6 @@ LOOPS = {  # the parts of a loop, call-time parameters, and the one controller t
 }
 
 
-@pytest.mark.sampled
 @every_engine
 @pytest.mark.parametrize("case", LOOPS)
 def test_a_sampled_controller_on_a_tank_at_its_samples_and_between(case, engine):
@@ -254,6 +253,7 @@ def test_a_switch_that_is_sampled_does_not_chatter(engine):
     np.testing.assert_allclose(run.y, found, atol=1e-9)
 
 
+@pytest.mark.long
 def test_a_sampled_law_reads_alike_in_every_engine():
     loop = clpt.closed_loop(clpt.paper_scenario(), law=Sampled(law(), 0.5))
     x, asks = np.random.default_rng(2).normal(size=loop.nstates), readings(loop)

@@ -47,7 +47,6 @@ FUNCTIONS = [
 ]
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("function", FUNCTIONS)
 def test_each_function_has_its_series(function):
     def rates(t, x, u, p):
@@ -85,7 +84,6 @@ RUNS = {  # rate, start, end, value there, error
 }
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("name", RUNS)
 def test_traps(name):
     diagram, start, last, expected, error = RUNS[name]
@@ -143,7 +141,6 @@ REFUSED = {
 }
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("why", REFUSED)
 def test_what_has_no_series_is_refused(why):
     diagram = REFUSED[why]
@@ -441,6 +438,7 @@ def test_a_peak_of_a_high_power(power):
     assert found[1] == pytest.approx(expected, rel=1e-6)
 
 
+@pytest.mark.long
 def test_a_turn_whose_angle_is_a_high_power():
     found, _ = end(of_clock(lambda x: np.cos(2 * np.pi * x**16)), [0.0, 0.0], [0, 1.0])
     expected, _ = quad(lambda x: np.cos(2 * np.pi * x**16), 0.0, 1.0, epsabs=1e-13)

@@ -108,6 +108,7 @@ class Boat(Model):
         return [-self.drag(x[0]) * gain / self.size]
 
 
+@pytest.mark.long
 def test_a_class_of_all_that_public_models_hold_is_traced_once():
     boat = Boat()
     system = control.nlsys(boat.rate, None, inputs=0, outputs=1, states=1, name="boat")

@@ -166,7 +166,6 @@ ARRAYS = """
 CUBE = np.random.default_rng(5).normal(size=(2, 3, 3))
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("call", [call.strip() for call in ARRAYS.split(";")])
 def test_a_function_of_arrays_is_read_as_it_computes(call):
     space = {"np": np, "math": math, "special": special, "CUBE": CUBE, "lookup": lookup}

@@ -321,7 +321,6 @@ def of_cache(meter):
     return meter.cache[0]
 
 
-@pytest.mark.sampled
 @pytest.mark.filterwarnings("ignore:.*hidden state")
 @pytest.mark.parametrize("place", PLACES)
 def test_a_function_that_counts_its_calls_runs_in_python(place, tmp_path, monkeypatch):

@@ -23,7 +23,6 @@ def values_along(function, states):
     return np.array([function(0.0, np.array(x), np.zeros(0), {}) for x in states])
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("start", PARTS)
 def test_functions_that_remember_are_refused(start, monkeypatch):
     """The tracer alone sees them, without the comparison of records."""

@@ -56,7 +56,6 @@ MANY = [
 ]
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize(
     "seeds", [*PARTS, *(pytest.param(seeds, marks=pytest.mark.slow) for seeds in MANY)]
 )

@@ -67,7 +67,6 @@ SPELLED = {
 }
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("spelling", SPELLED)
 def test_flagged_values_are_gaps_however_flags_are_spelled(tmp_path, spelling):
     flags, attributes = SPELLED[spelling]

@@ -48,7 +48,6 @@ SEAS = [
 ]
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("count", [3, pytest.param(6, marks=pytest.mark.slow)])
 @pytest.mark.parametrize(("case", "most"), SEAS)
 def test_against_the_previous_dives_current(case, most, count):
@@ -92,6 +91,7 @@ def test_a_flow_that_turns_is_forecast(flow, latitude, most):
         assert clpe_rms(other, 20) > 2000
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize(("factor", "degrees"), [(0.8, 12.0), (1.15, -8.0)])
 def test_speed_and_compass_are_told_apart_however_large(factor, degrees):
     response = factor * np.exp(-1j * math.radians(degrees))  # clockwise
@@ -145,6 +145,7 @@ def test_a_front_is_followed_at_once():
     assert steps[21].clpe["adaptive"] < 1500
 
 
+@pytest.mark.long
 def test_one_wild_fix_does_little_harm():
     dives = vehicle(5, 40, noise=0.01)
     wild = [further(d, 50e3) if d.number == 20 else d for d in dives]

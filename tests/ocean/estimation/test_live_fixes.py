@@ -107,7 +107,6 @@ def scenario_of(law, count):
 
 @pytest.mark.parametrize("law", LAWS)
 @pytest.mark.parametrize("count", [1, 13])
-@pytest.mark.sampled
 def test_a_loaded_learner_has_the_same_numbers(tmp_path, law, count):
     """Saved and loaded between any two calls, a wild fix among them: equal to the last bit."""
     made, path = calls(20), tmp_path / "learned.state"

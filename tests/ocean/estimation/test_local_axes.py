@@ -51,7 +51,6 @@ def test_a_course_on_a_long_leg_keeps_the_guarantee(latitude, courses, hours):
     assert off < 0.004
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("method", ["kalman", "tomography"])
 @pytest.mark.parametrize(("latitude", "course"), [(-71.0, 135.0), (79.0, 80.0)])
 def test_functions_that_are_the_same_everywhere_have_local_axes(

@@ -59,7 +59,6 @@ def unknown_speed(rows):
     rows[6] = (*rows[6][:3], float("nan"), float("nan"))
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize(
     "damage",
     [
@@ -82,7 +81,6 @@ def test_a_wrong_row_costs_its_legs_alone(tmp_path, estimate, damage):
     assert damage is wild or "line" in told
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("off", [-4 * 3600.0, -9e9, 3e8, 1.8e12])
 @pytest.mark.parametrize("columns", ["course,speed", "dr_east_m,dr_north_m"])
 def test_a_motion_left_out_invents_no_current(tmp_path, estimate, off, columns):
@@ -204,7 +202,6 @@ WRITERS = {
 }
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("name", WRITERS)
 def test_other_spellings_are_read(tmp_path, estimate, name):
     (tmp_path / "log.csv").write_text(written(mission(30, seed=1), *WRITERS[name]))
@@ -286,7 +283,6 @@ def out_of_order(rows):
     return 8, {"time": rows[7][0] - 60.0}
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize(
     "damage",
     [
@@ -361,7 +357,6 @@ WAYS = {
 }
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("name", WAYS)
 def test_wrong_units_and_axes_are_named(tmp_path, estimate, name):
     way, said = WAYS[name]
@@ -406,6 +401,7 @@ def over_ground(rows):
     return ground
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("part", ["courses", "speeds"])
 def test_one_part_over_ground_is_named(tmp_path, estimate, part):
     """A true heading with speed over ground, and a course over ground with speed."""
@@ -423,6 +419,7 @@ def test_one_part_over_ground_is_named(tmp_path, estimate, part):
     assert estimate(table(tmp_path / "log.csv", rows))["notes"] == []
 
 
+@pytest.mark.long
 def test_course_and_speed_over_ground_are_named(tmp_path, estimate):
     """Errors that are smaller than the noise of the fixes are impossible."""
     rows = mission(30, seed=1)

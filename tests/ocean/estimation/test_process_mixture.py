@@ -217,7 +217,7 @@ def test_depth_counts_only_while_it_grows():
         assert np.array_equal(step.covariance, other.covariance)
 
 
-@pytest.mark.sampled
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("flow", "there", "absent"),
     [("M2", "tides", "inertial"), ("inertial", "inertial", "tides")],

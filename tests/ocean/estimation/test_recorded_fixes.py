@@ -109,7 +109,6 @@ def learned(path, scenario=SCENARIO, **values):
     return clpt.currents.flow_estimate(legs, scenario)
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("law", LAWS)
 @pytest.mark.parametrize("units", [("km", "h", 1.0), ("m", "s", 1e3)])
 def test_straight_legs_teach_the_flow(tmp_path, law, units):
@@ -238,6 +237,7 @@ def test_a_drifter_teaches_its_own_drift(tmp_path, clpt):
     assert "--drifter" in err
 
 
+@pytest.mark.long
 def test_a_wild_fix_teaches_little(tmp_path):
     """One end fix 2 km off: it is told, and theta hardly moves."""
     rows = straight_mission()
@@ -333,6 +333,7 @@ def test_functions_that_the_track_does_not_feel_are_told(tmp_path):
     assert any("functions 3 hardly learned" in note for note in data.attrs["notes"])
 
 
+@pytest.mark.long
 def test_a_map_of_an_estimate_is_everywhere(tmp_path):
     """Off the track too: theta_hat phi(x) and its error, 15 km from the functions."""
     data = learned(write(tmp_path / "legs.csv", straight_mission()))
@@ -429,6 +430,7 @@ REPORTED = (
 NO_NUMBERS = ("leg", "inside", "time_origin", "fix_method", "guarantee")
 
 
+@pytest.mark.long
 def test_an_estimate_that_is_not_whole_has_no_page_and_no_drawing(tmp_path):
     data = learned(write(tmp_path / "legs.csv", straight_mission(3)))
     page = tmp_path / "page.html"
@@ -562,7 +564,7 @@ def test_a_constant_function_spans_a_uniform_flow(tmp_path):
     assert at_fix < near.standard_error.item() < 0.02
 
 
-@pytest.mark.sampled
+@pytest.mark.long
 @pytest.mark.parametrize("shear", [0.0, 8e-6])
 def test_regions_hold_fixes_that_leave_the_functions(tmp_path, shear):
     """Legs to the east, out of all functions."""
@@ -582,7 +584,6 @@ def test_the_first_region_far_from_all_functions_is_that_of_the_prior(tmp_path):
     assert radius == pytest.approx(np.sqrt(18 * variance), rel=1e-3)
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize(
     ("factor", "said"), [(3.6, "km/h"), (3600 / 1852, "knots"), (1.0, "")]
 )

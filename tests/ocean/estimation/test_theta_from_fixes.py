@@ -111,6 +111,7 @@ def test_what_is_not_allowed_is_said(lap):
         refuses(said, estimate, lap, error=clpt.ScenarioError, **change)
 
 
+@pytest.mark.long
 def test_runs_that_tell_too_little_are_refused(lap):
     def run(values, **more):
         return clpt.simulate(PAPER.with_values({"run.duration": 200} | values), **more)

@@ -116,7 +116,6 @@ ASKED = [
 
 
 @pytest.mark.parametrize(("digits", "every", "kinds", "changes"), LOGS)
-@pytest.mark.sampled
 def test_positions_without_a_measurement_are_left_out(
     tmp_path, digits, every, kinds, changes
 ):
@@ -134,7 +133,6 @@ def test_positions_without_a_measurement_are_left_out(
 
 
 @pytest.mark.parametrize(("digits", "every", "kinds", "changes"), ASKED)
-@pytest.mark.sampled
 def test_positions_that_are_nearly_held_or_reckoned_are_a_question(
     tmp_path, digits, every, kinds, changes
 ):
@@ -171,7 +169,6 @@ def test_a_log_that_is_reckoned_throughout_is_a_question(tmp_path, digits, every
         ("interpolated", 0.5, 5),
     ],
 )
-@pytest.mark.sampled
 def test_positions_with_jitter_are_left_out_or_a_question(
     tmp_path, kind, jitter, digits
 ):
@@ -225,6 +222,7 @@ def test_reckoned_positions_without_motion_are_told(tmp_path, digits, every, dro
     assert len(legs) == 12
 
 
+@pytest.mark.long
 def test_a_live_note_goes_on_after_a_restart(tmp_path):
     """Positions that were reckoned are learned; one note tells so, and nothing is taken back."""
     fixes = mission(5, fix=3.0, seed=2)
@@ -272,7 +270,6 @@ def heading(angle):
     return np.array([sin(angle), cos(angle)])
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("name", VEHICLES)
 @pytest.mark.parametrize(
     ("noise", "digits", "every"), [(2.0, 5, 3600.0), (2.0, 4, 300.0), (20.0, 6, 1.0)]
@@ -408,7 +405,7 @@ def computed(kind, fixes, every=600.0):
     return [*rows, fixes[-1]]
 
 
-@pytest.mark.sampled
+@pytest.mark.long
 @pytest.mark.parametrize("digits", [7, 5])
 @pytest.mark.parametrize("kind", ["moved", "current", "filter", "spline"])
 def test_computed_positions_are_a_question(tmp_path, kind, digits):
@@ -426,6 +423,7 @@ def test_computed_positions_are_a_question(tmp_path, kind, digits):
     assert estimate.leg.size == len(legs)
 
 
+@pytest.mark.long
 def test_every_row_keeps_positions_that_repeat(tmp_path):
     rows = rounded(between(mission(6, fix=3.0), 600.0, ["held"], 0.0), 6)
     recorded(tmp_path / "log.csv", rows)

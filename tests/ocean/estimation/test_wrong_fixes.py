@@ -36,7 +36,6 @@ def error(estimator, current=CURRENT):
     return np.abs(estimator.flow_parameters[:, 0] - current).max()
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("law", LAWS)
 @pytest.mark.parametrize("number", [0, 20])
 @pytest.mark.parametrize("km", [10, 50])
@@ -91,6 +90,7 @@ def test_regions_hold_their_share_in_rough_and_calm_seas(scatter, most):
     assert 0.86 <= np.mean(inside) <= most
 
 
+@pytest.mark.long
 def test_second_regions_hold_a_scatter_that_one_leg_cannot_show():
     """Five times the scatter that is set: 1 - exp(-99/100) of two legs alone."""
     inside = [

@@ -71,6 +71,7 @@ def test_a_vehicle_that_is_overdue_is_so_on_its_own_page():
     assert "overdue, expected" in sentence
 
 
+@pytest.mark.long
 @pytest.mark.usefixtures("undrawn")
 def test_the_script_knows_when_a_vehicle_becomes_overdue():
     found = told(recent(8, 1.0))
@@ -96,6 +97,7 @@ def test_an_old_record_is_never_overdue():
     assert "data-since=" not in page
 
 
+@pytest.mark.long
 @pytest.mark.usefixtures("undrawn")
 def test_the_fleet_counts_on(command, tmp_path):
     ends = {}
@@ -145,6 +147,7 @@ def test_the_last_dive_has_age_and_depth():
     assert text.endswith("; depth not in its file")
 
 
+@pytest.mark.long
 @pytest.mark.usefixtures("undrawn")
 def test_distance_to_go_is_that_of_the_plan():
     found = told(sample_dives(), (-42.8, 8.4))

@@ -39,7 +39,6 @@ def tidal(count=40, tide=0.3, period=44714.0):
     return chained(ways, first=1)
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("cause", WRONG)
 @pytest.mark.parametrize("dives", [sample_dives(), tidal(), vehicle(1, walk=0.03)])
 def test_wrong_columns_are_refused_by_name(dives, cause):

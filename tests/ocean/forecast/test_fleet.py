@@ -251,6 +251,7 @@ def test_a_fleet_killed_twice_is_as_an_unbroken_one(tmp_path):
     assert not list((tmp_path / "broken").rglob("*.part"))
 
 
+@pytest.mark.long
 @pytest.mark.usefixtures("undrawn")
 def test_linked_folders_are_followed_once_and_never_in_a_circle(tmp_path, command):
     top, elsewhere = tmp_path / "top", tmp_path / "elsewhere"

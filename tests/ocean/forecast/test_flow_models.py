@@ -144,6 +144,7 @@ def test_a_perfect_forecast_leaves_no_error(tmp_path):
     assert found["clpe_rms"]["flow_model"] < 13 < found["clpe_rms"]["adaptive"]
 
 
+@pytest.mark.long
 def test_the_column_is_averaged(tmp_path):
     """U = 0.4 - 0.5 z / 1000 down to 800 m, nothing below, to the north 0.1 everywhere."""
     shape = (4, len(DEPTH), len(LAT), len(LON))

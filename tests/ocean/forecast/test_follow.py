@@ -102,6 +102,7 @@ def test_results_never_lie_in_the_followed_folder(inbox, tmp_path, clpt):
         assert not (tmp_path / "other").exists()
 
 
+@pytest.mark.long
 def test_a_file_rewritten_with_its_old_size_and_date_is_read_again(inbox, watch):
     def rewrite():
         path = inbox / "dive305.csv"

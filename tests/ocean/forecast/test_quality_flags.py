@@ -154,7 +154,6 @@ def later_rms(replay, dive):
     return np.sqrt(np.mean(np.square(misses)))
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("size", [700.0, 1200.0, 2000.0])
 @pytest.mark.parametrize("dive", [3, 5, 9])
 def test_an_end_that_a_drift_cannot_explain_leaves_the_next_dives(dive, size):
@@ -191,7 +190,6 @@ def test_one_wrong_dead_reckoning_is_learned_for_one_dive_only():
     assert later_rms(replay, 10) < 1.3 * later_rms(clean, 10)
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("size", [0.1, 0.2, 0.4])
 @pytest.mark.parametrize(
     ("stay", "wind"), [(300.0, (0.0, 0.0)), (3000.0, (-700.0, 0.0))]

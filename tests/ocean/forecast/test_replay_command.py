@@ -266,6 +266,7 @@ def test_the_command_follows(follow, sample, tmp_path):
     assert (tmp_path / "out" / "replay.nc").exists()
 
 
+@pytest.mark.long
 @pytest.mark.usefixtures("undrawn")
 def test_what_the_dives_so_far_do_not_allow_is_told_and_work_goes_on(
     command, follow, tmp_path
@@ -348,6 +349,7 @@ def test_a_full_disk_leaves_the_results_as_they_were(tmp_path, sample, name):
     assert left == dict.fromkeys(RESULTS, "old")
 
 
+@pytest.mark.long
 @pytest.mark.usefixtures("undrawn")
 def test_a_folder_in_the_place_of_a_result_leaves_all_others_as_they_were(
     refused, tmp_path
@@ -425,6 +427,7 @@ def logged(line, folder):
     return subprocess.run(line, cwd="/", **options, **pipes).stdout
 
 
+@pytest.mark.long
 @pytest.mark.usefixtures("undrawn")
 def test_the_page_is_written_after_each_dive(mission, clpt, tmp_path):
     words = logged(f"{mission}/.post_dive ", tmp_path)  # as older versions do

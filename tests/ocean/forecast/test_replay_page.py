@@ -46,6 +46,7 @@ def replayed(command, tmp_path):
     return replay
 
 
+@pytest.mark.long
 def test_nothing_of_a_file_is_markup(evil):
     page = Reader(evil)
     assert [tag for tag, _ in page.tags].count("script") == 1
@@ -69,6 +70,7 @@ def test_nothing_is_fetched(evil):
     charts_have_dates(evil)
 
 
+@pytest.mark.long
 @pytest.mark.usefixtures("undrawn")
 def test_a_page_that_is_written_again_is_loaded_again(command, follow, tmp_path):
     write_dive_table(fixes_of(3), tmp_path / "dives.csv")
@@ -173,7 +175,6 @@ def ring_of(found, shapes):
     return shapes[f"{100 * found['level']:g} % ellipse"][0]
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("lat", [-43.0, 0.0, 67.0, 80.0])
 @pytest.mark.usefixtures("undrawn")
 def test_a_ring_is_the_ellipse_on_the_earth(replayed, lat):
@@ -189,7 +190,6 @@ def test_a_ring_is_the_ellipse_on_the_earth(replayed, lat):
     assert abs((bearing - forecast["ellipse_bearing"] + 90) % 180 - 90) < 1.0
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("lon", [8.0, 179.99, -180.0, 180.0, 180.01, -180.01])
 @pytest.mark.usefixtures("undrawn")
 def test_geojson_is_read_back_and_longitudes_count_on_at_180_degrees(replayed, lon):
@@ -338,6 +338,7 @@ def test_without_a_known_vehicle_or_a_waypoint_there_is_nothing_to_paste():
         assert report_of(kind, targets=targets)["paste"] is None
 
 
+@pytest.mark.long
 @pytest.mark.usefixtures("undrawn")
 def test_the_file_lies_beside_the_page_which_shows_it(command, tmp_path):
     aim = ("--aim", *TARGETS[0])

@@ -222,7 +222,6 @@ def rosie(facts, tmp_path):
     return shutil.copytree(source, tmp_path, dirs_exist_ok=True, ignore=first_half)
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize(("damage", "said"), SLOCUM)
 def test_a_damaged_segment_among_good_ones(rosie, damage, said):
     path = rosie / "sbd" / "rosie_713-2019-170-0-2.sbd"

@@ -106,6 +106,7 @@ def with_right_current(dive):
     return replace(dive, **right)
 
 
+@pytest.mark.long
 @settings(
     max_examples=50,
     deadline=None,
@@ -184,6 +185,7 @@ def swum_in(data, dive, variation):
     return [float(np.nansum(cm * part(angle))) / 100 for part in (np.sin, np.cos)]
 
 
+@pytest.mark.long
 def test_an_early_og1_mission_is_read_as_it_was_meant(facts):
     """Fixes in nanoseconds without units, one in a row at 250 m, speed in cm/s, magnetic."""
     path = facts / "glider" / "og1" / OG1

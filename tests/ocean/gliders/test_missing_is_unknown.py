@@ -84,7 +84,6 @@ def whole():
     return rows_of()
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("boundary", [10.0, 4.0])
 @pytest.mark.parametrize("lost", [None, 2, 3, 4])
 def test_a_lost_file_costs_two_dives_and_says_so(tmp_path, boundary, lost):
@@ -122,7 +121,6 @@ def test_a_column_that_is_empty_is_unknown(tmp_path, whole, column, part):
     assert "no samples" in skipped[0].why
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("late", [-1200, -600, -200, 300, 900])
 @pytest.mark.parametrize("end", [0.6, 1.0])
 def test_rows_that_go_back_in_time_are_told(tmp_path, whole, late, end):
@@ -166,7 +164,7 @@ def test_a_gzip_of_several_members(tmp_path, whole):
     refuses("its gzip is damaged", read_dives, tmp_path)
 
 
-@pytest.mark.sampled
+@pytest.mark.long
 @pytest.mark.parametrize("declination", ["0", ""])
 def test_a_declination_that_is_none_is_that_of_igrf(
     tmp_path, whole, declination, printed

@@ -220,7 +220,6 @@ FILLS = [
 FILLS += [9.96921e36, 1e20, -1e34, 1e35, np.inf, -np.inf]
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("fill", FILLS)
 def test_headings_that_are_no_angles_are_gaps(fill, tmp_path):
     columns = og1_rows()
@@ -550,7 +549,6 @@ DAMAGED = [  # each: the damage, what is said, which dives are used; None: the f
 ]
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize(("name", "damage", "said", "expected"), DAMAGED)
 def test_a_damaged_mission_is_named_and_its_good_dives_are_used(
     facts, tmp_path, name, damage, said, expected

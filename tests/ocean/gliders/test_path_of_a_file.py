@@ -68,7 +68,6 @@ def properties():
     }
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("name", FILES)
 def test_a_file_goes_from_stage_to_stage(name):
     entered = calls(results_of, GLIDER / name)

@@ -334,7 +334,6 @@ MISSIONS = [
 ]
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("how", MISSIONS, ids=str)
 def test_each_dive_of_a_mission_has_the_current_of_its_sea(tmp_path, how):
     truth, dives = flown(tmp_path / "sbd", **how)
@@ -479,7 +478,6 @@ def test_a_dive_over_several_files_is_one(in_three_files, tmp_path):
     assert any("no samples for" in note for note in dive.notes)
 
 
-@pytest.mark.sampled
 @pytest.mark.parametrize("order", list(permutations(range(4)))[::5])
 def test_watched_files_come_in_any_order(
     in_three_files, tmp_path, order, clpt, monkeypatch
