@@ -66,6 +66,7 @@ def in_still_water(N):
     return clpt.paper_scenario().with_values({**values, "run.duration": 1.0})
 
 
+@pytest.mark.long
 def test_a_loop_runs_that_is_too_large_for_the_matrices_of_python_control():
     many, few = in_still_water(1400), in_still_water(2)
     with pytest.raises(clpt.DiagramError, match="for which python-control needs"):

@@ -665,6 +665,7 @@ def test_boxes_over_intervals_are_those_of_the_intervals():
     assert float((tube.over_upper - tube.over_lower)[1:].max()) < 1.5
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("rate", "start", "end"),
     [

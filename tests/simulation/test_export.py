@@ -358,6 +358,7 @@ def system_with_states(seed):
             return system
 
 
+@pytest.mark.long
 @needs_cc
 @pytest.mark.parametrize("start", STARTS)
 def test_random_programs_in_c_compute_what_python_computes(start, tmp_path):

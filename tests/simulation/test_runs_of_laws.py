@@ -92,6 +92,7 @@ def test_a_blocks_own_gain_is_its_own():
         assert params is None or "adaptation.gain" in run.attrs["parameters_changed"]
 
 
+@pytest.mark.sampled
 @pytest.mark.parametrize("name", ["learned-flow", "known-flow"])
 def test_a_gain_of_zero_is_without_learning(name):
     scenario = with_law(name, **{"learning.gain": 0})

@@ -70,6 +70,7 @@ def test_the_flow_is_learned(law, held):
     assert np.all(found < [AT_200[law], 1e-9])
 
 
+@pytest.mark.long
 def test_K_and_Gamma_come_from_the_commanded_velocity():
     """Whatever the flow: under a square wave that no basis function spans, and under a model."""
     more = {
@@ -130,6 +131,7 @@ def test_priors_must_fit_and_a_track_without_length_needs_the_scales():
     assert with_priors({"prior": 1.0, "noise": 0.3}, **AT_REST).sizes["time"] == 21
 
 
+@pytest.mark.long
 def test_a_measured_current_is_learned_in_one_lap(tmp_path):
     """MARACOOS: 27 functions, no prior knowledge of theta, defaults, as a fit writes it."""
     box, tides = (40.9, 41.55, -69.9, -69.0), ("steady", "M2")
