@@ -4,6 +4,7 @@ A key of the law's own table that is set has its value.  Otherwise
 
     prior        0.5 m/s, the standard deviation of each flow parameter
     noise        r^2 = 2 s^2 + (0.02 m/s T)^2 of a leg of duration T, s = localization.noise or 10 m
+                 (the scatter may be another, and last: `lasting_scatter`)
     walk         0.02 m/s in a day, of kalman-flow
     forgetting   1/(30 d), of least-squares
 
@@ -17,7 +18,7 @@ plane around the origin, x1 and x2 (`base.geodesy`), with t = 0 at a given time.
 from dataclasses import dataclass
 from math import hypot, radians, tan
 from types import SimpleNamespace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -37,7 +38,19 @@ FIX = 10.0  # m, standard deviation of a fix on each axis
 WALK = 0.02  # m/s in a day
 BENT = 0.25  # m/s, flow that a bent way changes by, a width away
 MEMORY = 30.0  # d
+# kinds of seas: multiples of that scatter, with their chances, and the hours for which they last;
+# scatters that grow alike in a short time differ as the roots of their times
+SIZES, CHANCES = np.array([[0.25], [1.0], [4.0]]), np.array([[1.0], [1.0], [3.0]])
+LASTING, TELLING = np.array([1e-9, 8.0, 32.0]), np.array([12.0, 8.0, 32.0]) / 12
 Pair = tuple[float, float]
+
+
+class Seas(NamedTuple):
+    """Kinds of seas: sizes of the scatter (K, L), for how long it lasts (L,), log odds (K, L)."""
+
+    sizes: np.ndarray
+    lasting: np.ndarray
+    log_odds: np.ndarray
 
 
 class FixSettings:
@@ -66,6 +79,11 @@ class FixSettings:
         self.scatter = SCATTER / self.speed
         table = scenario.localization
         self.fix = (table and table.noise) or FIX / metres
+        self.seas = Seas(np.ones((1, 1)), LASTING[:1], np.zeros((1, 1)))
+        if self.noise is None:
+            log_odds = np.log(CHANCES / CHANCES.sum() / len(LASTING) + 0 * LASTING)
+            hours = 3600 / seconds
+            self.seas = Seas(SIZES * TELLING**0.5, LASTING * hours, log_odds)
         facts: Any = SimpleNamespace(  # as of a `LawContext`
             N=scenario.basis.N,
             settings={"priors": None, **learning.settings},

@@ -19,6 +19,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ...paper.blocks.flow import phi_and_slopes, turning_rate, unspanned
+from ...paper.laws.fix_bound import LegRegressor
 from ...paper.laws.memory_laws import predict
 from ...paper.scenario.experiment import Scenario
 from .fix_settings import FixSettings, LocalFrame, rotated
@@ -28,7 +29,7 @@ JOINED = (
 )
 STEPS = 4  # of the integration, at least, while the vehicle crosses a width
 STEPS_OF_PERIOD = 24
-TOLD_TURN, LONG = 1.0, 3.0  # rad along a leg
+TOLD_TURN, LONG, MOST_TURN = 1.0, 3.0, 8.0  # rad along a leg
 DIFFERENCE = 1e-3  # of a width, of the differences of phi
 STRAIGHT = 1e-3  # rad, a turn that does not count
 
@@ -69,6 +70,28 @@ class Turn(NamedTuple):
 
     learned: float
     likely: float
+
+
+class Regression(NamedTuple):
+    """Y = theta m + n over a leg: Y (2,), m (N,), duration, time of its middle, parts of r^2.
+
+    `bend` and `turn` are two terms added. `path` is m along the leg, as predicted with `theta`.
+    """
+
+    Y: np.ndarray
+    m: np.ndarray
+    duration: float
+    middle: float
+    noise: np.ndarray
+    bend: float
+    turn: Turn
+    theta: np.ndarray
+    path: LegRegressor | None = None
+
+    @property
+    def added(self) -> float:
+        """Share of the variance m^T P m that the turn adds."""
+        return (min(self.turn.likely, MOST_TURN) / 2) ** 2
 
 
 @dataclass
