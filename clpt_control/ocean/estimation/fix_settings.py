@@ -38,17 +38,16 @@ FIX = 10.0  # m, standard deviation of a fix on each axis
 WALK = 0.02  # m/s in a day
 BENT = 0.25  # m/s, flow that a bent way changes by, a width away
 MEMORY = 30.0  # d
-# kinds of seas: multiples of that scatter, with their chances, and the hours for which they last;
-# scatters that grow alike in a short time differ as the roots of their times
-SIZES, CHANCES = np.array([[0.25], [1.0], [4.0]]), np.array([[1.0], [1.0], [3.0]])
-LASTING, TELLING = np.array([1e-9, 8.0, 32.0]), np.array([12.0, 8.0, 32.0]) / 12
+# kinds of seas: hours for which their scatter lasts, and multiples of that one; scatters that grow
+# alike in a short time differ as the roots of their times
+HOURS, SIZES = [1e-9, 8.0, 32.0], np.outer([0.3, 1.2, 5.0], [1.0, 0.8, 1.6])
 Pair = tuple[float, float]
 
 
 class Seas(NamedTuple):
-    """Kinds of seas: sizes of the scatter (K, L), for how long it lasts (L,), log odds (K, L)."""
+    """Kinds of seas: squares of the scatter as multiples (K, L), its times (L,), log odds (K, L)."""
 
-    sizes: np.ndarray
+    squares: np.ndarray
     lasting: np.ndarray
     log_odds: np.ndarray
 
@@ -79,11 +78,10 @@ class FixSettings:
         self.scatter = SCATTER / self.speed
         table = scenario.localization
         self.fix = (table and table.noise) or FIX / metres
-        self.seas = Seas(np.ones((1, 1)), LASTING[:1], np.zeros((1, 1)))
-        if self.noise is None:
-            log_odds = np.log(CHANCES / CHANCES.sum() / len(LASTING) + 0 * LASTING)
-            hours = 3600 / seconds
-            self.seas = Seas(SIZES * TELLING**0.5, LASTING * hours, log_odds)
+        sizes = SIZES if self.noise is None else np.ones((1, 1))
+        lasting = np.array(HOURS[: sizes.shape[1]]) * 3600 / seconds
+        # each size is as likely as another
+        self.seas = Seas(sizes**2, lasting, np.log(sizes / sizes.sum()))
         facts: Any = SimpleNamespace(  # as of a `LawContext`
             N=scenario.basis.N,
             settings={"priors": None, **learning.settings},

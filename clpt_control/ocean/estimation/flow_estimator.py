@@ -387,15 +387,9 @@ class FlowEstimator:
 
     @property
     def scale(self) -> float:
-        """Factor c on the noise, root mean square."""
+        """Factor c on the scatter, root mean square."""
         squares = [guess.scatter.square for guess in self.guesses.states]
         return float(np.sqrt(self.guesses.weights @ squares))
-
-    @property
-    def scatter(self) -> float:
-        """Standard deviation of a leg's mean flow beside theta phi."""
-        squares = [guess.scatter.mean_factors[1] for guess in self.guesses.states]
-        return float(self.guesses.weights @ squares) ** 0.5 * self.settings.scatter
 
     @cached_property
     def covariance(self) -> np.ndarray:
@@ -543,7 +537,10 @@ class FlowEstimator:
             "guesses": [
                 {"leg": numbers.get(id(guess.leg)), "fixes": guess.fixes}
                 | {name: getattr(guess, name).tolist() for name in ARRAYS}
-                | {"level": guess.level, "scatter": guess.scatter.state}
+                | {
+                    "level": guess.level,
+                    "scatter": [np.asarray(x).tolist() for x in guess.scatter[1:]],
+                }
                 for guess in self.guesses.states
             ],
         } | {name: getattr(self, name) for name in PLAIN}
@@ -562,7 +559,7 @@ class FlowEstimator:
             Guess(
                 None if guess["leg"] is None else legs[guess["leg"]],
                 fixes=tuple(guess["fixes"]),
-                scatter=Scatter.of_state(self.settings.seas, guess["scatter"]),
+                scatter=Scatter(self.settings.seas, *map(np.array, guess["scatter"])),
                 level=np.inf if is_wider else guess["level"],
                 **{name: np.array(guess[name]) for name in ARRAYS},
             )

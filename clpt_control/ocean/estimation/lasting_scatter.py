@@ -2,32 +2,30 @@
 
 On a leg of duration T with its middle at t the position error is, on each axis,
 
-    y = T d + e' - e,    d = (theta - theta_hat) m/T + x
+    y = T d + e' - e,    d = (theta - theta_hat) a + x,    a = m/T
 
 e and e' are the errors of the fixes before and after.  The scatter x is a process of Ornstein and
-Uhlenbeck of standard deviation S and time tau, which a kind of sea has.  For each kind a Kalman
-filter follows d and e; with the covariance P of theta, a = m/T and the leg before as 0,
+Uhlenbeck with a standard deviation S and a time tau, which a kind of sea has.  For each kind a
+Kalman filter follows d and e.  With the leg before as 0, and P the covariance of theta,
 
     d = g d0 + w,    g = q (a^T P a0 + S^2)/(a0^T P a0 + S^2),    q = exp(-(t - t0)/tau)
 
 and w keeps the variance a^T P a + S^2 of d.  The density of y, Student's t, weighs the kinds.
 
-theta_hat is that of plain least squares, whose errors sum the noise n of all legs.  So P has a
-factor for each kind, with u = m/r^2 by components (W. K. Newey, K. D. West, "A simple, positive
-semi-definite, heteroskedasticity and autocorrelation consistent covariance matrix", Econometrica
-55, 703-708, 1987):
+theta_hat is that of plain least squares, whose errors are a sum over the noises n of all legs. So
+each kind multiplies P by c^2, with u = m/r^2 on each axis of P (W. K. Newey, K. D. West, "A simple,
+positive semi-definite, heteroskedasticity and autocorrelation consistent covariance matrix",
+Econometrica 55, 703-708, 1987):
 
     c^2 = sum_jk u_j u_k Cov(n_j, n_k) / sum_j u_j^2 r_j^2
 
-The variances of fixes and scatter have a factor each, S/nu: nu counts the position errors, each by
-the share of the part in its variance, S is the sum of their squares, and both fade to 1.  Where a
-region is that of the prior, nu is one more.
+All noise of a kind has a factor S/nu: nu counts the position errors, each by the share of the noise
+in its variance, S is the sum of their squares, and both fade to 1.  Where a region is that of the
+prior, nu is one more.
 """
 
-from dataclasses import dataclass, fields, replace
-from functools import cached_property
 from math import pi
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -49,166 +47,134 @@ class Known(NamedTuple):
     axes: np.ndarray
 
 
-class Expected(NamedTuple):
-    """Position errors y by kinds: their mean (..., 2), variance V and nu.
+class Scatter(NamedTuple):
+    """Filters of kinds of seas, whose shape (K, L) is that of `Seas.squares`.
 
-    `d` is the drift before y is known, `P` the covariances dd and de.
-    `fix` is the variance of e', `shares` those of the parts of the noise in V.
-    """
-
-    mean: np.ndarray
-    V: np.ndarray
-    nu: np.ndarray
-    d: np.ndarray
-    P: np.ndarray
-    fix: np.ndarray
-    shares: np.ndarray
-    q: np.ndarray
-
-    def densities(self, y: np.ndarray) -> np.ndarray:
-        """Return the logarithms of the densities of y."""
-        square = np.sum((y - self.mean) ** 2, axis=-1)
-        of_size = np.log(2 * pi * self.V)
-        return -of_size - (self.nu / 2 + 1) * np.log1p(square / (self.nu * self.V))
-
-
-@dataclass(frozen=True, eq=False)
-class Scatter:
-    """Filters of all kinds of seas, whose shape is that of `seas.sizes`, (K, L).
-
-    `mean` has d and e on both axes, `P` their covariances dd, de and ee. `taught` is the sum of
-    u^2 r^2 by its parts (2, N), `repeated` that of the scatter with what it repeats, (L, N).
-    `lag` (L, N) carries what the next leg may repeat, `a` is m/T of the last leg.
+    `drift` and `error` are d and e on both axes (K, L, 2); `dd`, `de` and `ee` their covariances,
+    of which an `ee` of 0 is not known. `errors` has S and nu. `taught` is the sum of u^2 r^2 by
+    fixes and by scatter of each time, with what it repeats, (1 + L, N), to which the next leg adds
+    by `lag`, (L, N). `a` and `middle` are those of the last leg.
     """
 
     seas: Seas
     log_odds: np.ndarray
-    mean: np.ndarray
-    P: np.ndarray
-    squares: np.ndarray
-    count: np.ndarray
+    drift: np.ndarray
+    error: np.ndarray
+    dd: np.ndarray
+    de: np.ndarray
+    ee: np.ndarray
+    errors: np.ndarray
     taught: np.ndarray
-    repeated: np.ndarray
     lag: np.ndarray
     a: np.ndarray
-    middle: float = -np.inf
+    middle: np.ndarray | float = -np.inf
 
     @classmethod
     def of(cls, seas: Seas, N: int) -> "Scatter":
         """Return the scatter before any leg."""
-        kinds = seas.sizes.shape
-        times = len(seas.lasting), N
-        return cls(
-            seas,
-            seas.log_odds,
-            np.zeros((2, *kinds, 2)),
-            np.zeros((3, *kinds)),
-            np.full((2, *kinds), PRIOR_ERRORS),
-            np.full((2, *kinds), PRIOR_ERRORS),
-            np.full((2, N), LEAST),
-            np.full(times, LEAST),
-            np.zeros(times),
-            np.zeros(N),
-        )
-
-    @cached_property
-    def weights(self) -> np.ndarray:
-        """Probabilities of the kinds, of which `log_odds` are the logarithms."""
-        return np.exp(self.log_odds)
-
-    @cached_property
-    def factors(self) -> np.ndarray:
-        """Factors on the variances of fixes and scatter as they are set."""
-        of_fixes, of_scatter = self.squares / self.count
-        return np.array([of_fixes, of_scatter * self.seas.sizes**2])
+        kinds, times = seas.squares.shape, len(seas.lasting)
+        still, none = np.zeros((*kinds, 2)), np.zeros(kinds)
+        errors = np.full((2, *kinds), PRIOR_ERRORS)
+        taught = np.full((1 + times, N), LEAST)
+        of_kinds = seas.log_odds, still, still, none, none, none, errors
+        return cls(seas, *of_kinds, taught, np.zeros((times, N)), np.zeros(N))
 
     @property
-    def mean_factors(self) -> np.ndarray:
-        """Mean of the factors, (2,)."""
-        return np.sum(self.weights * self.factors, axis=(1, 2))
+    def weights(self) -> np.ndarray:
+        """Probabilities of the kinds, (K, L)."""
+        return np.exp(self.log_odds)
+
+    @property
+    def factor(self) -> np.ndarray:
+        """Factor on the variance of all noise, (K, L)."""
+        squares, count = self.errors
+        return squares / count
 
     @property
     def square(self) -> float:
-        """Factor c^2 on r^2, the mean by what the legs taught."""
-        taught = self.taught.sum(axis=1)
-        return float(self.mean_factors @ taught / taught.sum())
-
-    def scale_along(self, axes: np.ndarray) -> np.ndarray:
-        """Return the factor of P along each axis."""
-        squares = axes**2
-        fixes, scatter = self.taught @ squares
-        of_fixes, of_scatter = self.factors[..., None]
-        total = of_fixes * fixes + of_scatter * (self.repeated @ squares)
-        return total / (fixes + scatter)
-
-    def begun(self, fix: float) -> "Scatter":
-        """Return the scatter with a leg that begins at a fix of its own."""
-        d, e = self.mean
-        P = np.array([self.P[0], 0 * self.P[1], fix * self.factors[0]])
-        return replace(self, mean=np.array([d, 0 * e]), P=P)
-
-    def expected(self, leg: Regression, known: Known) -> Expected:
-        """Return the position errors that each kind expects of a leg."""
-        T, bend = leg.duration, leg.bend**2
-        now, last = leg.m @ known.axes / T, self.a @ known.axes
-        of_theta, of_last, of_both = (
-            known.left @ by for by in (now**2, last**2, now * last)
-        )
-        fixes, scatter = self.factors * leg.noise[:, None, None]
-        fix, square = fixes / 2, scatter / T**2
-        q = np.exp((self.middle - leg.middle) / self.seas.lasting)
-        g = q * (of_both + square) / (of_last + square + LEAST)
-        dd, de, ee = self.P
-        dd, de = g**2 * (dd - of_last - square) + of_theta + square, g * de
-        d, e = g[..., None] * self.mean[0], self.mean[1]
-        theta, noise = T**2 * of_theta, np.array([ee + fix, scatter * (1 - q**2)])
-        V = T**2 * dd - 2 * T * de + ee + fix + bend + leg.added * theta
-        of_prior = T**2 * (known.left**2 @ now**2) + bend
-        nu = sum(noise * self.count) / sum(noise) + of_prior / (theta + bend + LEAST)
-        return Expected(T * d - e, V, nu, d, np.array([dd, de]), fix, noise / V, q)
-
-    def learned(
-        self,
-        leg: Regression,
-        y: np.ndarray,
-        found: Expected,
-        shift: np.ndarray,
-        r: float,
-        log_odds: np.ndarray,
-    ) -> "Scatter":
-        """Return the scatter after a leg, learned with r, that moved theta_hat m/T by a shift."""
-        off, fix = y - found.mean, found.fix
-        dd, de = found.P
-        gain = (leg.duration * dd - de) / found.V
-        d = found.d + gain[..., None] * off - shift
-        e = (fix / found.V)[..., None] * off
-        fading = FADING**found.shares
-        square = found.shares * np.sum(off**2, axis=-1) / found.V
-        prior = (1 - fading) * PRIOR_ERRORS
-        shares = np.sqrt(leg.noise / leg.noise.sum())
-        u = np.outer(shares, leg.m / r)
-        lag = self.lag * found.q[:, None]
-        return replace(
-            self,
-            log_odds=log_odds,
-            mean=np.array([d, e]),
-            P=np.array([dd - gain**2 * found.V, -gain * fix, fix - fix**2 / found.V]),
-            squares=fading * self.squares + prior + square * self.squares / self.count,
-            count=fading * self.count + prior + 2 * found.shares,
-            taught=self.taught + u**2,
-            repeated=self.repeated + (u[1] + 2 * lag) * u[1],
-            lag=lag + u[1],
-            a=leg.m / leg.duration,
-            middle=leg.middle,
-        )
+        """Mean factor on the variance of the scatter."""
+        return float(np.sum(self.weights * self.factor * self.seas.squares))
 
     @property
-    def state(self) -> dict[str, Any]:
-        """State as numbers and lists."""
-        named = {one.name: getattr(self, one.name) for one in fields(self)[1:]}
-        return {name: np.asarray(value).tolist() for name, value in named.items()}
+    def begun(self) -> "Scatter":
+        """The scatter with a leg that begins at a fix of its own."""
+        return self._replace(error=0 * self.error, de=0 * self.de, ee=0 * self.ee)
 
-    @classmethod
-    def of_state(cls, seas: Seas, state: dict[str, Any]) -> "Scatter":
-        """Return the scatter that has a state."""
-        return cls(seas, **{name: np.array(value) for name, value in state.items()})
+    def scale_along(self, axes: np.ndarray) -> np.ndarray:
+        """Return c^2 along each axis, (K, L, N)."""
+        fixes, *scatter = self.taught @ axes**2
+        total = fixes + self.seas.squares[..., None] * scatter
+        return self.factor[..., None] * total / (fixes + scatter[0])
+
+    def expected(self, leg: Regression, known: Known) -> "Expected":
+        """Return the position errors that each kind expects of a leg."""
+        T, bend, left = leg.duration, leg.bend**2, known.left
+        a = leg.m / T
+        now, last = a @ known.axes, self.a @ known.axes
+        theta, before, both = left @ now**2, left @ last**2, left @ (now * last)
+        fixes, scatter = leg.noise
+        fix = self.factor * fixes / 2
+        square = self.factor * self.seas.squares * scatter / T**2
+        q = np.exp((self.middle - leg.middle) / self.seas.lasting)
+        g = q * (both + square) / (before + square + LEAST)
+        dd, de = g**2 * (self.dd - before - square) + theta + square, g * self.de
+        drift = g[..., None] * self.drift
+        noise = np.where(self.ee > 0, self.ee, fix) + fix
+        V = T**2 * dd - 2 * T * de + noise + bend + leg.added * T**2 * theta
+        of_prior = (T**2 * (left**2 @ now**2) + bend) / V
+        share = (noise + T**2 * square * (1 - q**2)) / V
+        after = self._replace(
+            drift=drift, dd=dd, de=de, lag=q[:, None] * self.lag, a=a, middle=leg.middle
+        )
+        mean = T * drift - self.error
+        return Expected(after, mean, V, self.errors[1] + of_prior, fix, share)
+
+
+class Expected(NamedTuple):
+    """Position errors that kinds expect of a leg: mean (K, L, 2), variance V and nu.
+
+    `scatter` is that before the leg is learned, `fix` the variance of e', `share` that of the noise
+    in V.
+    """
+
+    scatter: Scatter
+    mean: np.ndarray
+    V: np.ndarray
+    nu: np.ndarray
+    fix: np.ndarray
+    share: np.ndarray
+
+    def weighed(self, y: np.ndarray) -> tuple[float, "Expected"]:
+        """Return the log density of y, and what is expected with the kinds weighed by it."""
+        square = np.sum((y - self.mean) ** 2, axis=-1) / self.V
+        densities = np.log(2 * pi * self.V) + (self.nu / 2 + 1) * np.log1p(
+            square / self.nu
+        )
+        log_odds = self.scatter.log_odds - densities
+        density = np.logaddexp.reduce(log_odds, axis=None)
+        scatter = self.scatter._replace(log_odds=log_odds - density)
+        return float(density), self._replace(scatter=scatter)
+
+    def learned(
+        self, leg: Regression, y: np.ndarray, change: np.ndarray, r: float
+    ) -> Scatter:
+        """Return the scatter after y, by which least squares with r changed theta_hat."""
+        before, V, fix, T = self.scatter, self.V, self.fix, leg.duration
+        off = y - self.mean
+        gain, of_fix = (T * before.dd - before.de) / V, fix / V
+        fading = FADING**self.share
+        squares = before.factor * np.sum(off**2, axis=-1) / V
+        new = self.share * np.array([squares, np.full_like(V, 2)])
+        fixes, scatter = leg.noise / leg.noise.sum()
+        u = leg.m / r * scatter**0.5
+        told = np.vstack([fixes * (leg.m / r) ** 2, (u + 2 * before.lag) * u])
+        return before._replace(
+            drift=before.drift + gain[..., None] * off - change @ before.a,
+            error=of_fix[..., None] * off,
+            dd=before.dd - gain**2 * V,
+            de=-gain * fix,
+            ee=fix - of_fix * fix,
+            errors=fading * before.errors + (1 - fading) * PRIOR_ERRORS + new,
+            taught=before.taught + told,
+            lag=before.lag + u,
+        )

@@ -155,45 +155,35 @@ class LegGuesses:
         """Yield what a fix may be: log odds, and the guess after it."""
         anywhere = -log(2 * pi * self.wild)
         if leg is None:
-            yield RIGHT, anywhere, partial(self._begun, guess, start)
+            begun = guess.scatter.begun
+            yield RIGHT, anywhere, partial(guess.after, RIGHT, leg=start, scatter=begun)
             wrong = anywhere + log(WRONG_SHARE)
             yield WRONG, wrong, partial(guess.after, WRONG, leg=None)
             return
         P = self.between_fixes(guess.P, leg.duration, self.settings.p)
         now = guess if P is guess.P else replace(guess, P=P)
         y = leg.Y - guess.theta @ leg.m
-        found = now.scatter.expected(leg, now.known)
+        right = now.scatter.expected(leg, now.known)
         # a wrong fix lies about the forecast
-        V = float(np.sum(now.scatter.weights * found.V))
+        V = float(np.sum(now.scatter.weights * right.V))
         wrong = log(WRONG_SHARE) - log(2 * pi * (V + self.wild))
         yield WRONG, wrong, partial(guess.after, WRONG)
         fastest = FASTEST / self.settings.speed * leg.duration
         if float(np.hypot(*leg.Y)) > fastest + CHI_SQUARED * leg.noise.sum() ** 0.5:
             # the motion was not that, or the fix before is wrong
-            begun = partial(self._begun, guess, start)
-            yield RIGHT, log(CHANGED_SHARE) + anywhere, begun
+            begun = guess.scatter.begun
+            after = partial(guess.after, RIGHT, leg=start, scatter=begun)
+            yield RIGHT, log(CHANGED_SHARE) + anywhere, after
             return
-        anew = replace(guess.scatter, middle=-np.inf)
+        anew = guess.scatter._replace(middle=-np.inf)
+        changed = anew.expected(leg, self.unlearned)
         for fix, odds, P, found in (
-            (RIGHT, 0.0, now.P, found),
-            (
-                CHANGED,
-                log(CHANGED_SHARE),
-                now.P + self.prior,
-                anew.expected(leg, self.unlearned),
-            ),
+            (RIGHT, 0.0, now.P, right),
+            (CHANGED, log(CHANGED_SHARE), now.P + self.prior, changed),
         ):
-            kinds = guess.scatter.log_odds + found.densities(y)
-            density = np.logaddexp.reduce(kinds, axis=None)
-            learned = partial(
-                self._learned, guess, leg, P, fix, start, found, kinds - density
-            )
-            yield fix, odds + float(density), learned
-
-    def _begun(self, guess: Guess, start: Leg) -> Guess:
-        """Return a guess whose leg begins at a fix that ends none."""
-        fix = float(self.settings.noise_of(0.0)[0]) / 2
-        return guess.after(RIGHT, leg=start, scatter=guess.scatter.begun(fix))
+            density, weighed = found.weighed(y)
+            learned = partial(self._learned, guess, leg, P, fix, start, weighed)
+            yield fix, odds + density, learned
 
     def _learned(
         self,
@@ -203,20 +193,18 @@ class LegGuesses:
         fix: str,
         start: Leg,
         found: Expected,
-        log_odds: np.ndarray,
     ) -> Guess:
         """Return a guess after least squares."""
         y = leg.Y - guess.theta @ leg.m
         added = leg.added * float(leg.m @ P @ leg.m)
         r = (float(leg.noise.sum()) + leg.bend**2 + added) ** 0.5
         change, after = least_squares_step(P, leg.m, y, r)
-        shift = change @ leg.m / leg.duration
         return guess.after(
             fix,
             leg=start,
             theta=guess.theta + change,
             P=after,
-            scatter=guess.scatter.learned(leg, y, found, shift, r, log_odds),
+            scatter=found.learned(leg, y, change, r),
             level=np.inf
             if fix == CHANGED
             else guess.level_after(leg, P, r, self.settings.limits),
