@@ -18,7 +18,7 @@ plane around the origin, x1 and x2 (`base.geodesy`), with t = 0 at a given time.
 from dataclasses import dataclass
 from math import hypot, radians, tan
 from types import SimpleNamespace
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -40,16 +40,8 @@ BENT = 0.25  # m/s, flow that a bent way changes by, a width away
 MEMORY = 30.0  # d
 # kinds of seas: hours for which their scatter lasts, and multiples of that one; scatters that grow
 # alike in a short time differ as the roots of their times
-HOURS, SIZES = [1e-9, 8.0, 32.0], np.outer([0.3, 1.2, 5.0], [1.0, 0.8, 1.6])
+HOURS, SIZES = np.array([1e-9, 8.0, 32.0]), np.outer([0.3, 1.2, 5.0], [1.0, 0.8, 1.6])
 Pair = tuple[float, float]
-
-
-class Seas(NamedTuple):
-    """Kinds of seas: squares of the scatter as multiples (K, L), its times (L,), log odds (K, L)."""
-
-    squares: np.ndarray
-    lasting: np.ndarray
-    log_odds: np.ndarray
 
 
 class FixSettings:
@@ -79,9 +71,9 @@ class FixSettings:
         table = scenario.localization
         self.fix = (table and table.noise) or FIX / metres
         sizes = SIZES if self.noise is None else np.ones((1, 1))
-        lasting = np.array(HOURS[: sizes.shape[1]]) * 3600 / seconds
-        # each size is as likely as another
-        self.seas = Seas(sizes**2, lasting, np.log(sizes / sizes.sum()))
+        # kinds of seas: squares of fixes and scatter, (2, K, L), and times of the scatter, (L,)
+        self.seas = np.array([0 * sizes + 1, sizes**2])
+        self.lasting = HOURS[: sizes.shape[1]] * 3600 / seconds
         facts: Any = SimpleNamespace(  # as of a `LawContext`
             N=scenario.basis.N,
             settings={"priors": None, **learning.settings},

@@ -52,7 +52,7 @@ from .wrong_units import COMPARED, wrong_motion
 
 UNKNOWN = 0.01  # share of a leg of which the displacement may be unknown
 LEAST_UNKNOWN = 5.0  # s
-ARRAYS = ("theta", "P", "prior")  # of a guess
+ARRAYS = ("theta", "P")  # of a guess
 # of an estimator
 PLAIN = [
     *("legs", "fastest", "turn", "told", "ways", "rows"),
@@ -387,9 +387,9 @@ class FlowEstimator:
 
     @property
     def scale(self) -> float:
-        """Factor c on the scatter, root mean square."""
-        squares = [guess.scatter.square for guess in self.guesses.states]
-        return float(np.sqrt(self.guesses.weights @ squares))
+        """Factor on the scatter, root mean square."""
+        scatter = self.guesses.states[0].scatter
+        return float(np.sum(scatter.weights * scatter.factors[1]) ** 0.5)
 
     @cached_property
     def covariance(self) -> np.ndarray:
@@ -559,7 +559,7 @@ class FlowEstimator:
             Guess(
                 None if guess["leg"] is None else legs[guess["leg"]],
                 fixes=tuple(guess["fixes"]),
-                scatter=Scatter(self.settings.seas, *map(np.array, guess["scatter"])),
+                scatter=Scatter(self.settings, *map(np.array, guess["scatter"])),
                 level=np.inf if is_wider else guess["level"],
                 **{name: np.array(guess[name]) for name in ARRAYS},
             )

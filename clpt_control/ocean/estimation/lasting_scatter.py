@@ -25,14 +25,13 @@ prior, nu is one more.
 """
 
 from math import pi
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from .fix_settings import Seas
+from .fix_settings import FixSettings
 from .leg_track import Regression
 
-PRIOR_ERRORS = 1.0  # weight of r as it is set, in position errors on an axis
 FADING = 0.97  # of the weight of a position error, at the next one
 LEAST = 1e-300
 
@@ -48,36 +47,34 @@ class Known(NamedTuple):
 
 
 class Scatter(NamedTuple):
-    """Filters of kinds of seas, whose shape (K, L) is that of `Seas.squares`.
+    """Filters of kinds of seas, (K, L) as `FixSettings.seas` has them.
 
-    `drift` and `error` are d and e on both axes (K, L, 2); `dd`, `de` and `ee` their covariances,
-    of which an `ee` of 0 is not known. `errors` has S and nu. `taught` is the sum of u^2 r^2 by
-    fixes and by scatter of each time, with what it repeats, (1 + L, N), to which the next leg adds
-    by `lag`, (L, N). `a` and `middle` are those of the last leg.
+    `taught` is the sum of u^2 r^2 by fixes and by scatter of each time, with what it repeats,
+    (1 + L, N), and `lag` what the next leg repeats, (L, N). `a` and `middle` are those of the last
+    leg. `drift` and `error` are d and e on both axes (K, L, 2); `dd`, `de` and `ee` are their
+    covariances, of which an `ee` of 0 is not known. `errors` has S and nu.
     """
 
-    seas: Seas
+    settings: FixSettings
     log_odds: np.ndarray
-    drift: np.ndarray
-    error: np.ndarray
-    dd: np.ndarray
-    de: np.ndarray
-    ee: np.ndarray
-    errors: np.ndarray
     taught: np.ndarray
-    lag: np.ndarray
     a: np.ndarray
-    middle: np.ndarray | float = -np.inf
+    lag: Any = 0.0
+    drift: np.ndarray = np.zeros(2)
+    error: Any = 0.0
+    dd: Any = 0.0
+    de: Any = 0.0
+    ee: Any = 0.0
+    # the weight of r as it is set is that of one position error on an axis
+    errors: np.ndarray = np.ones((2, 1, 1))
+    middle: Any = -np.inf
 
     @classmethod
-    def of(cls, seas: Seas, N: int) -> "Scatter":
-        """Return the scatter before any leg."""
-        kinds, times = seas.squares.shape, len(seas.lasting)
-        still, none = np.zeros((*kinds, 2)), np.zeros(kinds)
-        errors = np.full((2, *kinds), PRIOR_ERRORS)
-        taught = np.full((1 + times, N), LEAST)
-        of_kinds = seas.log_odds, still, still, none, none, none, errors
-        return cls(seas, *of_kinds, taught, np.zeros((times, N)), np.zeros(N))
+    def of(cls, settings: FixSettings) -> "Scatter":
+        """Return the scatter before any leg, each size as likely as another."""
+        sizes, a = np.sqrt(settings.seas[1]), 0 * settings.prior
+        taught = np.full((1 + sizes.shape[1], len(a)), LEAST)
+        return cls(settings, np.log(sizes / sizes.sum()), taught, a)
 
     @property
     def weights(self) -> np.ndarray:
@@ -85,96 +82,92 @@ class Scatter(NamedTuple):
         return np.exp(self.log_odds)
 
     @property
-    def factor(self) -> np.ndarray:
-        """Factor on the variance of all noise, (K, L)."""
+    def factors(self) -> np.ndarray:
+        """Factors on the variances of fixes and scatter, (2, K, L)."""
         squares, count = self.errors
-        return squares / count
+        return self.settings.seas * squares / count
 
-    @property
-    def square(self) -> float:
-        """Mean factor on the variance of the scatter."""
-        return float(np.sum(self.weights * self.factor * self.seas.squares))
-
-    @property
-    def begun(self) -> "Scatter":
-        """The scatter with a leg that begins at a fix of its own."""
-        return self._replace(error=0 * self.error, de=0 * self.de, ee=0 * self.ee)
-
-    def scale_along(self, axes: np.ndarray) -> np.ndarray:
-        """Return c^2 along each axis, (K, L, N)."""
+    def known(self, P: np.ndarray) -> Known:
+        """Return a covariance by the kinds, with the prior as it was."""
+        prior = self.settings.prior
+        sd = np.where(prior > 0, prior, 1.0)
+        # of the prior's variance, the share that is left along each axis
+        share, axes = np.linalg.eigh(P / np.outer(sd, sd))
+        share, axes = np.clip(share, LEAST, 1.0), axes * prior[:, None]
         fixes, *scatter = self.taught @ axes**2
-        total = fixes + self.seas.squares[..., None] * scatter
-        return self.factor[..., None] * total / (fixes + scatter[0])
+        of_fixes, of_scatter = self.factors[..., None]
+        noise = of_fixes * fixes + of_scatter * scatter
+        left = noise / (fixes + scatter[0]) * share
+        return Known(left / (left + 1 - share), axes)
 
-    def expected(self, leg: Regression, known: Known) -> "Expected":
-        """Return the position errors that each kind expects of a leg."""
-        T, bend, left = leg.duration, leg.bend**2, known.left
-        a = leg.m / T
+    def expected(
+        self, leg: Regression, known: Known, y: np.ndarray | float
+    ) -> "Expected":
+        """Return what each kind expects of a leg with a position error y."""
+        T, bend, left, a = leg.duration, leg.bend**2, known.left, leg.m / leg.duration
         now, last = a @ known.axes, self.a @ known.axes
         theta, before, both = left @ now**2, left @ last**2, left @ (now * last)
-        fixes, scatter = leg.noise
-        fix = self.factor * fixes / 2
-        square = self.factor * self.seas.squares * scatter / T**2
-        q = np.exp((self.middle - leg.middle) / self.seas.lasting)
+        fixes, scatter = self.factors * leg.noise[:, None, None]
+        fix, square = fixes / 2, scatter / T**2
+        q = np.exp((self.middle - leg.middle) / self.settings.lasting)
         g = q * (both + square) / (before + square + LEAST)
         dd, de = g**2 * (self.dd - before - square) + theta + square, g * self.de
         drift = g[..., None] * self.drift
+        off = y - T * drift + self.error
         noise = np.where(self.ee > 0, self.ee, fix) + fix
         V = T**2 * dd - 2 * T * de + noise + bend + leg.added * T**2 * theta
-        of_prior = (T**2 * (left**2 @ now**2) + bend) / V
-        share = (noise + T**2 * square * (1 - q**2)) / V
-        after = self._replace(
-            drift=drift, dd=dd, de=de, lag=q[:, None] * self.lag, a=a, middle=leg.middle
+        of_prior = T**2 * (left**2 @ now**2) + bend
+        nu = self.errors[1] + of_prior / V
+        tail = (nu / 2 + 1) * np.log1p(np.sum(off**2, axis=-1) / (nu * V))
+        scatter = self._replace(
+            log_odds=self.log_odds - np.log(2 * pi * V) - tail,
+            lag=q[:, None] * self.lag,
+            a=a,
+            drift=drift,
+            dd=dd,
+            de=de,
+            middle=leg.middle,
         )
-        mean = T * drift - self.error
-        return Expected(after, mean, V, self.errors[1] + of_prior, fix, share)
+        share = (noise + T**2 * square * (1 - q**2)) / V
+        return Expected(scatter, off, V, nu, fix, share)
 
 
 class Expected(NamedTuple):
-    """Position errors that kinds expect of a leg: mean (K, L, 2), variance V and nu.
+    """Position errors by kinds: variance V, nu, and how far y is off, (K, L, 2).
 
-    `scatter` is that before the leg is learned, `fix` the variance of e', `share` that of the noise
-    in V.
+    `scatter` is that before the leg is learned, but for `log_odds`, whose sum has the density of y.
+    `fix` is the variance of e', `share` that of the noise in V.
     """
 
     scatter: Scatter
-    mean: np.ndarray
+    off: np.ndarray
     V: np.ndarray
     nu: np.ndarray
     fix: np.ndarray
     share: np.ndarray
 
-    def weighed(self, y: np.ndarray) -> tuple[float, "Expected"]:
-        """Return the log density of y, and what is expected with the kinds weighed by it."""
-        square = np.sum((y - self.mean) ** 2, axis=-1) / self.V
-        densities = np.log(2 * pi * self.V) + (self.nu / 2 + 1) * np.log1p(
-            square / self.nu
-        )
-        log_odds = self.scatter.log_odds - densities
-        density = np.logaddexp.reduce(log_odds, axis=None)
-        scatter = self.scatter._replace(log_odds=log_odds - density)
-        return float(density), self._replace(scatter=scatter)
+    @property
+    def density(self) -> float:
+        """Logarithm of the density of y."""
+        return float(np.logaddexp.reduce(self.scatter.log_odds, axis=None))
 
-    def learned(
-        self, leg: Regression, y: np.ndarray, change: np.ndarray, r: float
-    ) -> Scatter:
-        """Return the scatter after y, by which least squares with r changed theta_hat."""
-        before, V, fix, T = self.scatter, self.V, self.fix, leg.duration
-        off = y - self.mean
-        gain, of_fix = (T * before.dd - before.de) / V, fix / V
-        fading = FADING**self.share
-        squares = before.factor * np.sum(off**2, axis=-1) / V
-        new = self.share * np.array([squares, np.full_like(V, 2)])
-        fixes, scatter = leg.noise / leg.noise.sum()
-        u = leg.m / r * scatter**0.5
-        told = np.vstack([fixes * (leg.m / r) ** 2, (u + 2 * before.lag) * u])
-        return before._replace(
-            drift=before.drift + gain[..., None] * off - change @ before.a,
+    def learned(self, leg: Regression, change: np.ndarray, r: float) -> Scatter:
+        """Return the scatter after a leg, by which least squares with r changed theta_hat."""
+        scatter, off, V, _, fix, share = self
+        gain, of_fix = (leg.duration * scatter.dd - scatter.de) / V, fix / V
+        square = np.sum(off**2, axis=-1) / V
+        new = np.array([scatter.factors[0] * square, 2 + 0 * V])
+        fading = FADING**share
+        shares = leg.noise / leg.noise.sum()
+        of_fixes, u = np.sqrt(shares)[:, None] * leg.m / r
+        return scatter._replace(
+            log_odds=scatter.log_odds - self.density,
+            taught=scatter.taught + np.vstack([of_fixes**2, (u + 2 * scatter.lag) * u]),
+            lag=scatter.lag + u,
+            drift=scatter.drift + gain[..., None] * off - change @ scatter.a,
             error=of_fix[..., None] * off,
-            dd=before.dd - gain**2 * V,
+            dd=scatter.dd - gain**2 * V,
             de=-gain * fix,
             ee=fix - of_fix * fix,
-            errors=fading * before.errors + (1 - fading) * PRIOR_ERRORS + new,
-            taught=before.taught + told,
-            lag=before.lag + u,
+            errors=fading * scatter.errors + 1 - fading + share * new,
         )

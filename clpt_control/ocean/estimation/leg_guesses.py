@@ -57,35 +57,21 @@ AFTER_ALL = {
 class Guess:
     """Estimate of theta if each of the last fixes is as `fixes` says, the last one at the end.
 
-    `leg` begins at the last fix that is not wrong; None before one. `prior` is the standard
-    deviation of each parameter before any fix.
+    `leg` begins at the last fix that is not wrong; None before one.
     `level` bounds tr(eta P^-1 eta^T), eta the error of theta (`paper.laws.fix_bound`).
     """
 
     leg: Leg | None
     theta: np.ndarray
     P: np.ndarray
-    prior: np.ndarray
     scatter: Scatter
     fixes: tuple[str, ...] = ()
     level: float = 1.0
 
     @cached_property
     def known(self) -> Known:
-        """P by the kinds of seas, with the prior as it was."""
-        free = self.prior > 0
-        sd = np.where(free, self.prior, 1.0)
-        # of the prior's variance, the share that is left along each axis
-        share, axes = np.linalg.eigh(self.P / np.outer(sd, sd))
-        share, axes = np.clip(share, 1e-300, 1.0), axes * (sd * free)[:, None]
-        scaled = self.scatter.scale_along(axes) * share
-        return Known(scaled / (scaled + 1 - share), axes)
-
-    @cached_property
-    def scaled(self) -> np.ndarray:
-        """Mean of `known`, (N, N)."""
-        left, axes = self.known
-        return (axes * np.tensordot(self.scatter.weights, left)) @ axes.T
+        """P by the kinds of seas."""
+        return self.scatter.known(self.P)
 
     def level_after(
         self, leg: Regression, P: np.ndarray, r: float, limits: Limits
@@ -96,6 +82,11 @@ class Guess:
         path = leg.path._replace(drift=leg.path.drift + off)
         error = float(np.linalg.norm(leg.Y - self.theta @ leg.m))
         return level_after(self.level, path, P, r, limits, error)
+
+    def begun(self, leg: Leg) -> "Guess":
+        """Return the guess with a leg that begins at a fix of its own."""
+        scatter = self.scatter._replace(error=0.0, de=0.0, ee=0.0)
+        return self.after(RIGHT, leg=leg, scatter=scatter)
 
     def after(self, fix: str, **changes: Any) -> "Guess":
         """Return the guess after one more fix."""
@@ -112,42 +103,38 @@ class LegGuesses:
         self.settings = settings
         self.wild = (WILD / METRES[scenario.units.length]) ** 2
         self.prior = np.diag(settings.prior**2)
-        N = len(self.prior)
-        self.unlearned = Known(np.ones((1, 1, N)), np.diag(settings.prior))
+        self.unlearned = Known(np.ones(len(self.prior)), np.diag(settings.prior))
 
     @property
     def first(self) -> Hypotheses[Guess]:
         """The guess before any fix."""
-        settings = self.settings
-        scatter = Scatter.of(settings.seas, len(self.prior))
-        first = Guess(None, settings.theta, self.prior, settings.prior, scatter)
-        return Hypotheses.of(first)
+        theta, scatter = self.settings.theta, Scatter.of(self.settings)
+        return Hypotheses.of(Guess(None, theta, self.prior, scatter))
 
     def covariance(self, guesses: Hypotheses[Guess]) -> np.ndarray:
         """Return the covariance of each row of theta, (N, N)."""
         theta, P = theta_of(guesses), np.zeros_like(self.prior)
         for weight, guess in zip(guesses.weights, guesses.states, strict=True):
-            off = guess.theta - theta
-            P += weight * (guess.scaled + off.T @ off / 2)
+            off, (left, axes) = guess.theta - theta, guess.known
+            mean = np.tensordot(guess.scatter.weights, left)
+            P += weight * ((axes * mean) @ axes.T + off.T @ off / 2)
         return P
 
     def region(
         self, guesses: Hypotheses[Guess], leg: Regression
     ) -> tuple[np.ndarray, float]:
         """Return the place of a fix beside theta m, (2,), and the radius of its region."""
-        theta = theta_of(guesses)
-        means, variances, counts, weights = [], [], [], []
-        for weight, guess in zip(guesses.weights, guesses.states, strict=True):
-            found = guess.scatter.expected(leg, guess.known)
-            means.append(found.mean.reshape(-1, 2) + (guess.theta - theta) @ leg.m)
-            variances.append(found.V.ravel())
-            counts.append(found.nu.ravel())
-            weights.append(weight * guess.scatter.weights.ravel())
-        mean, weight = np.vstack(means), np.hstack(weights)
-        middle = weight @ mean
-        off = np.mean((mean - middle) ** 2, axis=1)
-        variance = np.hstack(variances) + off
-        return middle, radius_of(weight, variance, np.hstack(counts))
+        found = [
+            guess.scatter.expected(leg, guess.known, 0.0) for guess in guesses.states
+        ]
+        off = (thetas_of(guesses) - theta_of(guesses)) @ leg.m
+        mean = off[:, None, None] - np.array([one.off for one in found])
+        kinds = np.array([guess.scatter.weights for guess in guesses.states])
+        weights = guesses.weights[:, None, None] * kinds
+        place = np.tensordot(weights, mean, 3)
+        V = np.array([one.V for one in found]) + np.mean((mean - place) ** 2, axis=-1)
+        nu = np.array([one.nu for one in found])
+        return place, radius_of(weights.ravel(), V.ravel(), nu.ravel())
 
     def branches(
         self, guess: Guess, leg: Regression | None, start: Leg
@@ -155,15 +142,14 @@ class LegGuesses:
         """Yield what a fix may be: log odds, and the guess after it."""
         anywhere = -log(2 * pi * self.wild)
         if leg is None:
-            begun = guess.scatter.begun
-            yield RIGHT, anywhere, partial(guess.after, RIGHT, leg=start, scatter=begun)
+            yield RIGHT, anywhere, partial(guess.begun, start)
             wrong = anywhere + log(WRONG_SHARE)
             yield WRONG, wrong, partial(guess.after, WRONG, leg=None)
             return
         P = self.between_fixes(guess.P, leg.duration, self.settings.p)
         now = guess if P is guess.P else replace(guess, P=P)
         y = leg.Y - guess.theta @ leg.m
-        right = now.scatter.expected(leg, now.known)
+        right = now.scatter.expected(leg, now.known, y)
         # a wrong fix lies about the forecast
         V = float(np.sum(now.scatter.weights * right.V))
         wrong = log(WRONG_SHARE) - log(2 * pi * (V + self.wild))
@@ -171,19 +157,17 @@ class LegGuesses:
         fastest = FASTEST / self.settings.speed * leg.duration
         if float(np.hypot(*leg.Y)) > fastest + CHI_SQUARED * leg.noise.sum() ** 0.5:
             # the motion was not that, or the fix before is wrong
-            begun = guess.scatter.begun
-            after = partial(guess.after, RIGHT, leg=start, scatter=begun)
-            yield RIGHT, log(CHANGED_SHARE) + anywhere, after
+            begun = partial(guess.begun, start)
+            yield RIGHT, log(CHANGED_SHARE) + anywhere, begun
             return
         anew = guess.scatter._replace(middle=-np.inf)
-        changed = anew.expected(leg, self.unlearned)
+        changed = anew.expected(leg, self.unlearned, y)
         for fix, odds, P, found in (
             (RIGHT, 0.0, now.P, right),
             (CHANGED, log(CHANGED_SHARE), now.P + self.prior, changed),
         ):
-            density, weighed = found.weighed(y)
-            learned = partial(self._learned, guess, leg, P, fix, start, weighed)
-            yield fix, odds + density, learned
+            learned = partial(self._learned, guess, leg, P, fix, start, found)
+            yield fix, odds + found.density, learned
 
     def _learned(
         self,
@@ -204,7 +188,7 @@ class LegGuesses:
             leg=start,
             theta=guess.theta + change,
             P=after,
-            scatter=found.learned(leg, y, change, r),
+            scatter=found.learned(leg, change, r),
             level=np.inf
             if fix == CHANGED
             else guess.level_after(leg, P, r, self.settings.limits),
@@ -232,10 +216,14 @@ def remarks(
     return kinds, "; ".join(filter(None, texts))
 
 
+def thetas_of(guesses: Hypotheses[Guess]) -> np.ndarray:
+    """Return theta of each guess, (G, 2, N)."""
+    return np.array([guess.theta for guess in guesses.states])
+
+
 def theta_of(guesses: Hypotheses[Guess]) -> np.ndarray:
     """Return the mean of theta, (2, N)."""
-    thetas = np.array([guess.theta for guess in guesses.states])
-    return np.einsum("g,gak->ak", guesses.weights, thetas)
+    return np.einsum("g,gak->ak", guesses.weights, thetas_of(guesses))
 
 
 def radius_of(weights: np.ndarray, variances: np.ndarray, counts: np.ndarray) -> float:
