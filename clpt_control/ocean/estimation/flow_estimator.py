@@ -354,7 +354,7 @@ class FlowEstimator:
         theta = self._turned(leg, theta_of(likely).T).T
         arrival = self.track.end(leg, theta)
         terms = self._terms(leg, arrival, theta, arrival.z)
-        bend = hypot(terms.bend, self.track.beside(leg, arrival, self.fixes))
+        bend = hypot(terms.bend, self.track.beside(arrival, self.fixes))
         terms = terms._replace(bend=bend)
         beside, radius = self._guessing.region(likely, terms)
         place = frame.position(arrival.z + self._turned(leg, beside))
@@ -704,8 +704,6 @@ class FlowEstimator:
         drift = (place - leg.place - leg.moved) / ended.duration
         for one in self._open():  # the first leg too, if its end is in doubt
             one.shown = one.shown or drift.tolist()
-        off = drift - self.theta @ ended.m / ended.duration
-        start.off = float(np.mean(off**2))
         return {"note": note, "turn": self.turn}
 
     def _check_order(self, time: float) -> None:

@@ -100,8 +100,7 @@ class Leg:
 
     `time` is the end of the last stretch, and `known` the time that stretches cover; `waiting` is
     the last stretch, to which short ones are still joined.  `flow` is the learned flow to the east
-    at the begin, `east` the reckoned way over ground.  `shown` is the mean flow on the leg before,
-    and `off` the mean square of its components beside theta phi.
+    at the begin, `east` the reckoned way over ground.  `shown` is the mean flow on the leg before.
     """
 
     start: float
@@ -113,7 +112,6 @@ class Leg:
     flow: float = field(default=0.0, compare=False)
     east: float = 0.0
     shown: list[float] | None = field(default=None, compare=False)
-    off: float = field(default=0.0, compare=False)
 
     def move(
         self, frame: LocalFrame, stretches: np.ndarray, size: tuple[float, float]
@@ -235,15 +233,14 @@ class LegTrack:
         rates = [turning_rate(slopes, theta, covariance) for covariance in (0.0, P)]
         return Turn(*(rates @ steps[:, 0]).tolist())
 
-    def beside(self, leg: Leg, arrival: Arrival, fixes: list) -> float:
+    def beside(self, arrival: Arrival, fixes: list) -> float:
         """Return the error of the way by the flow where functions die out, length."""
         places = arrival.points[:, 1:3]
         if not len(places):
             return 0.0
         basis, prior = self.scenario.basis, self.settings.beside
-        _, v, share = unspanned(basis, prior, places, np.reshape(fixes, (-1, 2)))
-        of_flow = np.mean(v + share * leg.off)
-        return float(np.sum(arrival.points[:, 3]) * of_flow**0.5)
+        _, v, _ = unspanned(basis, prior, places, np.reshape(fixes, (-1, 2)))
+        return float(np.sum(arrival.points[:, 3]) * np.mean(v) ** 0.5)
 
     def bend(self, leg: Leg, fastest: float) -> float:
         """Return the error of a way that may have been bent, length: root of sum of squares."""
