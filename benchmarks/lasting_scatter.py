@@ -53,7 +53,7 @@ def mission(
     size: float,
     hours: float,
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return theta (2, N), fixes (n + 1, 2) and displacements through the water (n, 2), m."""
+    """Return theta (2, N), fixes (n + 1, 2) and ways through the water (n, STEPS, 2), m."""
     theta = draw.normal(0.0, 0.15, (2, len(centers)))
     S, step = SCATTER * size, span / STEPS
     q = np.exp(-step / (3600 * hours)) if hours else 0.0
@@ -61,7 +61,7 @@ def mission(
     aim, ways = position, []
     fixes = [position + FIX * draw.normal(size=2)]
     for _ in range(LEGS[span]):
-        way, of_leg = np.zeros(2), S * draw.normal(size=2)
+        way, of_leg = [], S * draw.normal(size=2)
         for _ in range(STEPS):
             while np.linalg.norm(aim - position) < 2 * step:
                 aim = draw.uniform(-3e3, 13e3, 2)
@@ -71,7 +71,7 @@ def mission(
             if width is not None:
                 squares = np.sum((position - centers) ** 2, axis=1)
                 phi = np.exp(-squares / (2 * width**2))
-            way = way + step * through
+            way.append(step * through)
             drift = theta @ phi + (x if hours else of_leg)
             position = position + step * (through + drift)
         ways.append(way)
@@ -88,8 +88,9 @@ def learned(
     time, forecasts = 1.7e9, []
     estimator.fix(time, *place_from(0.0, 0.0, *fixes[0]))
     for fix, way in zip(fixes[1:], ways, strict=True):
-        time += span
-        estimator.move(time, *way)
+        for moved in way:
+            time += span / STEPS
+            estimator.move(time, *moved)
         result = estimator.fix(time, *place_from(0.0, 0.0, *fix))
         assert result.forecast is not None
         forecasts.append((result.error, result.forecast.radius))

@@ -49,10 +49,10 @@ class Known(NamedTuple):
 class Scatter(NamedTuple):
     """Filters of kinds of seas, (K, L) as `FixSettings.seas` has them.
 
-    `taught` is the sum of u^2 r^2 by fixes and by scatter of each time, with what it repeats,
-    (1 + L, N), and `lag` what the next leg repeats, (L, N). `a` and `middle` are those of the last
-    leg. `drift` and `error` are d and e on both axes (K, L, 2); `dd`, `de` and `ee` are their
-    covariances, of which an `ee` of 0 is not known. `errors` has S and nu.
+    `taught` is the sum of u^2 r^2: all, by fixes, and by the scatter of each time with what it
+    repeats, (2 + L, N). `lag` is what the next leg repeats, (L, N). `a` and `middle` are those of
+    the last leg. `drift` and `error` are d and e on both axes, (K, L, 2); `dd`, `de` and `ee` are
+    their covariances, of which an `ee` of 0 is not known. `errors` has S and nu.
     """
 
     settings: FixSettings
@@ -73,7 +73,7 @@ class Scatter(NamedTuple):
     def of(cls, settings: FixSettings) -> "Scatter":
         """Return the scatter before any leg, each size as likely as another."""
         sizes, a = np.sqrt(settings.seas[1]), 0 * settings.prior
-        taught = np.full((1 + sizes.shape[1], len(a)), LEAST)
+        taught = np.full((2 + sizes.shape[1], len(a)), LEAST)
         return cls(settings, np.log(sizes / sizes.sum()), taught, a)
 
     @property
@@ -94,10 +94,10 @@ class Scatter(NamedTuple):
         # of the prior's variance, the share that is left along each axis
         share, axes = np.linalg.eigh(P / np.outer(sd, sd))
         share, axes = np.clip(share, LEAST, 1.0), axes * prior[:, None]
-        fixes, *scatter = self.taught @ axes**2
+        total, fixes, *scatter = self.taught @ axes**2
         of_fixes, of_scatter = self.factors[..., None]
-        noise = of_fixes * fixes + of_scatter * scatter
-        left = noise / (fixes + scatter[0]) * share
+        noise = (of_fixes - 1) * fixes + of_scatter * scatter - scatter[0]
+        left = (total + noise) / (total + LEAST) * share
         return Known(left / (left + 1 - share), axes)
 
     def expected(
@@ -158,11 +158,11 @@ class Expected(NamedTuple):
         square = np.sum(off**2, axis=-1) / V
         new = np.array([scatter.factors[0] * square, 2 + 0 * V])
         fading = FADING**share
-        shares = leg.noise / leg.noise.sum()
-        of_fixes, u = np.sqrt(shares)[:, None] * leg.m / r
+        of_fixes, u = np.sqrt(leg.noise)[:, None] * leg.m / r**2
+        told = [(leg.m / r) ** 2, of_fixes**2, *((u + 2 * scatter.lag) * u)]
         return scatter._replace(
             log_odds=scatter.log_odds - self.density,
-            taught=scatter.taught + np.vstack([of_fixes**2, (u + 2 * scatter.lag) * u]),
+            taught=scatter.taught + np.array(told),
             lag=scatter.lag + u,
             drift=scatter.drift + gain[..., None] * off - change @ scatter.a,
             error=of_fix[..., None] * off,
