@@ -117,7 +117,7 @@ class Scatter(NamedTuple):
         noise = np.where(self.ee > 0, self.ee, fix) + fix
         V = T**2 * dd - 2 * T * de + noise + bend + leg.added * T**2 * theta
         of_prior = T**2 * (left**2 @ now**2) + bend
-        nu = self.errors[1] + of_prior / V
+        nu = self.errors[1] + of_prior / (T**2 * theta + bend + LEAST)
         tail = (nu / 2 + 1) * np.log1p(np.sum(off**2, axis=-1) / (nu * V))
         scatter = self._replace(
             log_odds=self.log_odds - np.log(2 * pi * V) - tail,
