@@ -11,6 +11,7 @@ interval of fixes, size and time of the scatter:
 """
 
 import argparse
+from typing import Any
 
 import numpy as np
 
@@ -31,18 +32,18 @@ BASES = {
 
 def scenario_of(centers: np.ndarray, width: float | None) -> clpt.Scenario:
     """Return the scenario of the learner."""
-    basis = {
-        "kernel": "gaussian",
-        "centers": (centers / 1e3).tolist(),
-        "widths": [1e5 if width is None else width / 1e3] * len(centers),
-        "constituents": ["steady"] * len(centers),
+    tables: dict[str, Any] = {
+        "origin": None if width is None else (0.0, 0.0),
+        "units": {"length": "km", "time": "h"},
+        "basis": {
+            "kernel": "gaussian",
+            "centers": (centers / 1e3).tolist(),
+            "widths": [1e5 if width is None else width / 1e3] * len(centers),
+            "constituents": ["steady"] * len(centers),
+        },
+        "learning": {"law": "fix-regression"},
     }
-    return clpt.Scenario(
-        origin=None if width is None else (0.0, 0.0),
-        units={"length": "km", "time": "h"},
-        basis=basis,
-        learning={"law": "fix-regression"},
-    )
+    return clpt.Scenario(**tables)
 
 
 def mission(
@@ -110,7 +111,7 @@ def row(basis: str, span: float, size: float, hours: float, missions: int) -> st
         errors.append(error)
         forecasts.append(forecast)
     inside = np.abs(off) <= 1.645 * np.array(errors)[:, None]
-    distance, radius = np.moveaxis(forecasts, -1, 0)
+    distance, radius = np.moveaxis(np.array(forecasts), -1, 0)
     shares = [
         np.mean((distance <= radius)[:, start:stop]) for start, stop in GROUPS.values()
     ]
