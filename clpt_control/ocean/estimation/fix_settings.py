@@ -4,6 +4,7 @@ A key of the law's own table that is set has its value.  Otherwise
 
     prior        0.5 m/s, the standard deviation of each flow parameter
     noise        r^2 = 2 s^2 + (0.02 m/s T)^2 of a leg of duration T, s = localization.noise or 10 m
+                 (the scatter may be another, and last: `lasting_scatter`)
     walk         0.02 m/s in a day, of kalman-flow
     forgetting   1/(30 d), of least-squares
 
@@ -37,6 +38,9 @@ FIX = 10.0  # m, standard deviation of a fix on each axis
 WALK = 0.02  # m/s in a day
 BENT = 0.25  # m/s, flow that a bent way changes by, a width away
 MEMORY = 30.0  # d
+# kinds of seas: hours for which their scatter lasts, and multiples of that one; scatters that grow
+# alike in a short time differ as the roots of their times
+HOURS, SIZES = np.array([1e-9, 8.0, 32.0]), np.outer([0.3, 1.2, 5.0], [1.0, 0.8, 1.6])
 Pair = tuple[float, float]
 
 
@@ -66,6 +70,10 @@ class FixSettings:
         self.scatter = SCATTER / self.speed
         table = scenario.localization
         self.fix = (table and table.noise) or FIX / metres
+        sizes = SIZES if self.noise is None else np.ones((1, 1))
+        # kinds of seas: squares of fixes and scatter, (2, K, L), and times of the scatter, (L,)
+        self.seas = np.array([0 * sizes + 1, sizes**2])
+        self.lasting = HOURS[: sizes.shape[1]] * 3600 / seconds
         facts: Any = SimpleNamespace(  # as of a `LawContext`
             N=scenario.basis.N,
             settings={"priors": None, **learning.settings},

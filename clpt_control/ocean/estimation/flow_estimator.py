@@ -45,13 +45,14 @@ from ...paper.scenario.file import scenario_from_text, scenario_to_text
 from ..gliders.unmeasured import MINUTE, NO_FIX, is_held, question
 from .fix_settings import FixSettings, LocalFrame, rotated
 from .hypotheses import Hypotheses
-from .leg_guesses import KEPT, WALKS, Guess, LegGuesses, Regression, remarks, theta_of
-from .leg_track import Ahead, Arrival, Leg, LegTrack, long_interval
+from .lasting_scatter import Scatter
+from .leg_guesses import KEPT, WALKS, Guess, LegGuesses, remarks, theta_of
+from .leg_track import Ahead, Arrival, Leg, LegTrack, Regression, long_interval
 from .wrong_units import COMPARED, wrong_motion
 
 UNKNOWN = 0.01  # share of a leg of which the displacement may be unknown
 LEAST_UNKNOWN = 5.0  # s
-ARRAYS = ("theta", "P", "prior", "squares", "count", "taught")  # of a guess
+ARRAYS = ("theta", "P")  # of a guess
 # of an estimator
 PLAIN = [
     *("legs", "fastest", "turn", "told", "ways", "rows"),
@@ -60,7 +61,7 @@ PLAIN = [
 SAME = 1e-6  # of a width, by which a track may be off for the same phi
 EARLIER = 1e-3  # s by which a time may be before the last one, by rounding
 # first words of a saved file, before its checksum
-KIND, VERSION = "clpt-flow-estimator", "5"
+KIND, VERSION = "clpt-flow-estimator", "6"
 ROWS, EACH = 60, 20  # last positions that are compared, and how often
 
 
@@ -353,10 +354,11 @@ class FlowEstimator:
         theta = self._turned(leg, theta_of(likely).T).T
         arrival = self.track.end(leg, theta)
         terms = self._terms(leg, arrival, theta, arrival.z)
-        bend = hypot(terms.bend, self.track.beside(leg, arrival, self.fixes))
+        bend = hypot(terms.bend, self.track.beside(arrival, self.fixes))
         terms = terms._replace(bend=bend)
-        radius = self._guessing.radius(likely, terms) * frame.metres
-        return Ahead(frame.date(leg.time), *frame.position(arrival.z), radius)
+        beside, radius = self._guessing.region(likely, terms)
+        place = frame.position(arrival.z + self._turned(leg, beside))
+        return Ahead(frame.date(leg.time), *place, radius * frame.metres)
 
     # --- results --------------------------------------------------------------------------------
 
@@ -385,15 +387,9 @@ class FlowEstimator:
 
     @property
     def scale(self) -> float:
-        """Factor c on the noise, root mean square."""
-        squares = [guess.square for guess in self.guesses.states]
-        return float(np.sqrt(self.guesses.weights @ squares))
-
-    @property
-    def scatter(self) -> float:
-        """Standard deviation of a leg's mean flow beside theta phi."""
-        squares = [guess.factors[1] for guess in self.guesses.states]
-        return float(self.guesses.weights @ squares) ** 0.5 * self.settings.scatter
+        """Factor on the scatter, root mean square."""
+        scatter = self.guesses.states[0].scatter
+        return float(np.sum(scatter.weights * scatter.factors[1]) ** 0.5)
 
     @cached_property
     def covariance(self) -> np.ndarray:
@@ -541,7 +537,10 @@ class FlowEstimator:
             "guesses": [
                 {"leg": numbers.get(id(guess.leg)), "fixes": guess.fixes}
                 | {name: getattr(guess, name).tolist() for name in ARRAYS}
-                | {"level": guess.level}
+                | {
+                    "level": guess.level,
+                    "scatter": [np.asarray(x).tolist() for x in guess.scatter[1:]],
+                }
                 for guess in self.guesses.states
             ],
         } | {name: getattr(self, name) for name in PLAIN}
@@ -560,6 +559,7 @@ class FlowEstimator:
             Guess(
                 None if guess["leg"] is None else legs[guess["leg"]],
                 fixes=tuple(guess["fixes"]),
+                scatter=Scatter(self.settings, *map(np.array, guess["scatter"])),
                 level=np.inf if is_wider else guess["level"],
                 **{name: np.array(guess[name]) for name in ARRAYS},
             )
@@ -656,10 +656,11 @@ class FlowEstimator:
     ) -> Regression:
         """Return the regression of a leg with its noise."""
         duration = leg.time - leg.start
+        span = duration, leg.start + duration / 2
         noise = self.settings.noise_of(duration)
         bend = self.track.bend(leg, self.fastest)
         turn = self.track.turn(arrival, theta, self.covariance)
-        return Regression(Y, arrival.m, duration, noise, bend, turn, self.theta)
+        return Regression(Y, arrival.m, *span, noise, bend, turn, self.theta)
 
     def _regression(self, leg: Leg, place: np.ndarray) -> Regression:
         """Return the regression of a leg along the track as its end fix corrects it."""
@@ -703,8 +704,6 @@ class FlowEstimator:
         drift = (place - leg.place - leg.moved) / ended.duration
         for one in self._open():  # the first leg too, if its end is in doubt
             one.shown = one.shown or drift.tolist()
-        off = drift - self.theta @ ended.m / ended.duration
-        start.off = float(np.mean(off**2))
         return {"note": note, "turn": self.turn}
 
     def _check_order(self, time: float) -> None:

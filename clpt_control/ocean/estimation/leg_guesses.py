@@ -6,11 +6,7 @@ Each fix divides each guess (`hypotheses`) into three:
     wrong      nothing is learned, and the leg goes on past the fix
     changed    the flow changed, or theta_hat was wrong: P + prior, then right
 
-The density of a right fix is Student's t of two components around the forecast.  The two parts of
-r^2, those of the fixes and of the scatter, have a factor each, c^2 = S/nu: nu counts the position
-errors of the guess so far, each by the share of the part in its variance, S is the sum of their
-squares, and both fade to 1.  Where a region is that of the prior, nu is one more.  So short legs
-tell of the fixes, long ones of the scatter.  The factor of P is the mean by what the legs taught.
+The density of a right fix is that of the kinds of seas (`lasting_scatter`).
 The density of a wrong fix is that of the centre of a normal distribution of 10 km, at any distance.
 A flow above 5 m/s is impossible: a fix that needs it is wrong, or begins a leg.
 
@@ -18,27 +14,25 @@ Numbers are in units of the scenario.
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import cached_property, partial
-from math import log, log1p, pi
-from typing import Any, NamedTuple
+from math import log, pi
+from typing import Any
 
 import numpy as np
 from scipy.optimize import brentq
 
 from ...base.units import METRES
-from ...paper.laws.fix_bound import LegRegressor, Limits, level_after
+from ...paper.laws.fix_bound import Limits, level_after
 from ...paper.laws.memory_laws import least_squares_step
 from ...paper.scenario.experiment import Scenario
 from ..gliders.dives import FASTEST
 from .fix_model import CHI_SQUARED, LEVEL
 from .fix_settings import FixSettings
 from .hypotheses import Branch, Hypotheses
-from .leg_track import Leg, Turn
+from .lasting_scatter import Expected, Known, Scatter
+from .leg_track import Leg, Regression
 
-PRIOR_ERRORS = 1.0  # weight of r as it is set, in position errors on an axis
-FADING = 0.97  # of the weight of a position error, at the next one
-MOST_TURN = 8.0  # rad
 # shares: of fixes that are wrong, of legs before which the flow changed
 WRONG_SHARE, CHANGED_SHARE = 0.02, 0.0002
 WILD = 10e3  # m, standard deviation of wrong fixes
@@ -59,90 +53,44 @@ AFTER_ALL = {
 }
 
 
-def _prior_errors() -> np.ndarray:
-    return np.full(2, PRIOR_ERRORS)
-
-
 @dataclass(frozen=True, eq=False)
 class Guess:
     """Estimate of theta if each of the last fixes is as `fixes` says, the last one at the end.
 
-    `leg` begins at the last fix that is not wrong; None before one. `prior` is the standard
-    deviation of each parameter before any fix. Of each part of r^2 `squares` is S, `count` nu and
-    `taught` the sum of |m|^2/r^2 by its share.
+    `leg` begins at the last fix that is not wrong; None before one.
     `level` bounds tr(eta P^-1 eta^T), eta the error of theta (`paper.laws.fix_bound`).
     """
 
     leg: Leg | None
     theta: np.ndarray
     P: np.ndarray
-    prior: np.ndarray
-    squares: np.ndarray = field(default_factory=_prior_errors)
-    count: np.ndarray = field(default_factory=_prior_errors)
-    taught: np.ndarray = field(default_factory=lambda: np.full(2, 1e-300))
+    scatter: Scatter
     fixes: tuple[str, ...] = ()
     level: float = 1.0
 
-    @property
-    def factors(self) -> np.ndarray:
-        """Factor c^2 on each part of the noise, (2,)."""
-        return self.squares / self.count
-
-    @property
-    def square(self) -> float:
-        """Factor c^2 on P."""
-        return float(self.taught @ self.factors / self.taught.sum())
-
     @cached_property
-    def scaled(self) -> np.ndarray:
-        """Covariance with c times the noise, and the prior as it was."""
-        free = self.prior > 0
-        sd = np.where(free, self.prior, 1.0)
-        # of the prior's variance, the share that is left along each axis
-        share, axes = np.linalg.eigh(self.P / np.outer(sd, sd))
-        share = np.clip(share, 1e-300, 1.0)
-        scaled = self.square * share / (self.square * share + 1 - share)
-        return (axes * scaled) @ axes.T * np.outer(sd * free, sd * free)
+    def known(self) -> Known:
+        """P by the kinds of seas."""
+        return self.scatter.known(self.P)
 
-    def errors(self, leg: "Regression") -> float:
-        """Return nu: the mean of the noise's parts by their shares, and 1 by the prior's share."""
-        parts = leg.noise * self.factors
-        of_theta = self.scaled @ leg.m
-        by_prior = np.sum((of_theta / np.maximum(self.prior, 1e-300)) ** 2)
-        share = (by_prior + leg.bend**2) / (leg.m @ of_theta + leg.bend**2 + 1e-300)
-        return float(parts @ self.count / parts.sum() + share)
+    def level_after(
+        self, leg: Regression, P: np.ndarray, r: float, limits: Limits
+    ) -> float:
+        """Return the level after a leg that is learned with P and r."""
+        assert leg.path is not None
+        off = np.linalg.norm(leg.path.m @ (self.theta - leg.theta).T, axis=1)
+        path = leg.path._replace(drift=leg.path.drift + off)
+        error = float(np.linalg.norm(leg.Y - self.theta @ leg.m))
+        return level_after(self.level, path, P, r, limits, error)
+
+    def begun(self, leg: Leg) -> "Guess":
+        """Return the guess with a leg that begins at a fix of its own."""
+        scatter = self.scatter._replace(error=0.0, de=0.0, ee=0.0)
+        return self.after(RIGHT, leg=leg, scatter=scatter)
 
     def after(self, fix: str, **changes: Any) -> "Guess":
         """Return the guess after one more fix."""
         return replace(self, fixes=(*self.fixes, fix)[-JUDGED:], **changes)
-
-
-class Regression(NamedTuple):
-    """Y = theta m + n over a leg: Y (2,), m (N,), duration, parts of r^2 and two added terms.
-
-    `path` is m along the leg, as predicted with `theta`.
-    """
-
-    Y: np.ndarray
-    m: np.ndarray
-    duration: float
-    noise: np.ndarray
-    bend: float
-    turn: Turn
-    theta: np.ndarray
-    path: LegRegressor | None = None
-
-    def level(self, guess: Guess, P: np.ndarray, r: float, limits: Limits) -> float:
-        """Return the level of a guess after the leg, learned with P and r."""
-        assert self.path is not None
-        off = np.linalg.norm(self.path.m @ (guess.theta - self.theta).T, axis=1)
-        path = self.path._replace(drift=self.path.drift + off)
-        error = float(np.linalg.norm(self.Y - guess.theta @ self.m))
-        return level_after(guess.level, path, P, r, limits, error)
-
-    def added(self, variance: float) -> float:
-        """Return the variance of the turn, given m^T P m."""
-        return (min(self.turn.likely, MOST_TURN) / 2) ** 2 * variance
 
 
 class LegGuesses:
@@ -155,37 +103,38 @@ class LegGuesses:
         self.settings = settings
         self.wild = (WILD / METRES[scenario.units.length]) ** 2
         self.prior = np.diag(settings.prior**2)
+        self.unlearned = Known(np.ones(len(self.prior)), np.diag(settings.prior))
 
     @property
     def first(self) -> Hypotheses[Guess]:
         """The guess before any fix."""
-        settings = self.settings
-        return Hypotheses.of(Guess(None, settings.theta, self.prior, settings.prior))
-
-    def variance(self, leg: Regression, guess: Guess, P: np.ndarray) -> float:
-        """Return the variance of a position error on each axis, with P the covariance of theta."""
-        of_theta = float(leg.m @ P @ leg.m)
-        noise = leg.noise @ guess.factors + leg.bend**2
-        return float(noise + of_theta + leg.added(of_theta))
+        theta, scatter = self.settings.theta, Scatter.of(self.settings)
+        return Hypotheses.of(Guess(None, theta, self.prior, scatter))
 
     def covariance(self, guesses: Hypotheses[Guess]) -> np.ndarray:
         """Return the covariance of each row of theta, (N, N)."""
         theta, P = theta_of(guesses), np.zeros_like(self.prior)
         for weight, guess in zip(guesses.weights, guesses.states, strict=True):
-            off = guess.theta - theta
-            P += weight * (guess.scaled + off.T @ off / 2)
+            off, (left, axes) = guess.theta - theta, guess.known
+            mean = np.tensordot(guess.scatter.weights, left)
+            P += weight * ((axes * mean) @ axes.T + off.T @ off / 2)
         return P
 
-    def radius(self, guesses: Hypotheses[Guess], leg: Regression) -> float:
-        """Return the radius of the region of a forecast."""
-        theta = theta_of(guesses)
-        variances = []
-        for guess in guesses.states:
-            off = (guess.theta - theta) @ leg.m
-            variance = self.variance(leg, guess, guess.scaled)
-            variances.append(variance + float(off @ off) / 2)
-        counts = np.array([guess.errors(leg) for guess in guesses.states])
-        return radius_of(guesses.weights, np.array(variances), counts)
+    def region(
+        self, guesses: Hypotheses[Guess], leg: Regression
+    ) -> tuple[np.ndarray, float]:
+        """Return the place of a fix beside theta m, (2,), and the radius of its region."""
+        found = [
+            guess.scatter.expected(leg, guess.known, 0.0) for guess in guesses.states
+        ]
+        off = (thetas_of(guesses) - theta_of(guesses)) @ leg.m
+        mean = off[:, None, None] - np.array([one.off for one in found])
+        kinds = np.array([guess.scatter.weights for guess in guesses.states])
+        weights = guesses.weights[:, None, None] * kinds
+        place = np.tensordot(weights, mean, 3)
+        V = np.array([one.V for one in found]) + np.mean((mean - place) ** 2, axis=-1)
+        nu = np.array([one.nu for one in found])
+        return place, radius_of(weights.ravel(), V.ravel(), nu.ravel())
 
     def branches(
         self, guess: Guess, leg: Regression | None, start: Leg
@@ -193,63 +142,56 @@ class LegGuesses:
         """Yield what a fix may be: log odds, and the guess after it."""
         anywhere = -log(2 * pi * self.wild)
         if leg is None:
-            yield RIGHT, anywhere, partial(guess.after, RIGHT, leg=start)
+            yield RIGHT, anywhere, partial(guess.begun, start)
             wrong = anywhere + log(WRONG_SHARE)
             yield WRONG, wrong, partial(guess.after, WRONG, leg=None)
             return
         P = self.between_fixes(guess.P, leg.duration, self.settings.p)
         now = guess if P is guess.P else replace(guess, P=P)
         y = leg.Y - guess.theta @ leg.m
-        square = float(y @ y)
+        right = now.scatter.expected(leg, now.known, y)
         # a wrong fix lies about the forecast
-        V = self.variance(leg, now, now.scaled)
+        V = float(np.sum(now.scatter.weights * right.V))
         wrong = log(WRONG_SHARE) - log(2 * pi * (V + self.wild))
         yield WRONG, wrong, partial(guess.after, WRONG)
         fastest = FASTEST / self.settings.speed * leg.duration
         if float(np.hypot(*leg.Y)) > fastest + CHI_SQUARED * leg.noise.sum() ** 0.5:
             # the motion was not that, or the fix before is wrong
-            begun = partial(guess.after, RIGHT, leg=start)
+            begun = partial(guess.begun, start)
             yield RIGHT, log(CHANGED_SHARE) + anywhere, begun
             return
-        nu = now.errors(leg)
-        for fix, odds, P, variance in (
-            (RIGHT, 0.0, now.P, V),
-            (CHANGED, log(CHANGED_SHARE), now.P + self.prior, None),
+        anew = guess.scatter._replace(middle=-np.inf)
+        changed = anew.expected(leg, self.unlearned, y)
+        for fix, odds, P, found in (
+            (RIGHT, 0.0, now.P, right),
+            (CHANGED, log(CHANGED_SHARE), now.P + self.prior, changed),
         ):
-            V = variance or self.variance(leg, guess, self.prior)
-            density = -log(2 * pi * V) - (nu / 2 + 1) * log1p(square / (nu * V))
-            learned = partial(self._learned, guess, leg, P, fix, start)
-            yield fix, odds + density, learned
+            learned = partial(self._learned, guess, leg, P, fix, start, found)
+            yield fix, odds + found.density, learned
 
     def _learned(
-        self, guess: Guess, leg: Regression, P: np.ndarray, fix: str, start: Leg
+        self,
+        guess: Guess,
+        leg: Regression,
+        P: np.ndarray,
+        fix: str,
+        start: Leg,
+        found: Expected,
     ) -> Guess:
         """Return a guess after least squares."""
         y = leg.Y - guess.theta @ leg.m
-        of_theta = float(leg.m @ P @ leg.m)
-        total = float(leg.noise.sum())
-        added = leg.added(of_theta)
-        r = (total + leg.bend**2 + added) ** 0.5
-        before = P
-        change, P = least_squares_step(P, leg.m, y, r)
-        # shares of the parts of the noise in the variance of the position error
-        parts = guess.factors * leg.noise
-        bend_and_theta = leg.bend**2 + guess.square * (added + of_theta)
-        V = float(parts.sum()) + bend_and_theta
-        shares = parts / V
-        fading = FADING**shares
+        added = leg.added * float(leg.m @ P @ leg.m)
+        r = (float(leg.noise.sum()) + leg.bend**2 + added) ** 0.5
+        change, after = least_squares_step(P, leg.m, y, r)
         return guess.after(
             fix,
             leg=start,
             theta=guess.theta + change,
-            P=P,
-            squares=_faded(guess.squares, fading)
-            + shares * guess.factors * float(y @ y) / V,
-            count=_faded(guess.count, fading) + 2 * shares,
-            taught=guess.taught + leg.noise / total * float(leg.m @ leg.m) / r**2,
+            P=after,
+            scatter=found.learned(leg, change, r),
             level=np.inf
             if fix == CHANGED
-            else leg.level(guess, before, r, self.settings.limits),
+            else guess.level_after(leg, P, r, self.settings.limits),
         )
 
 
@@ -274,15 +216,14 @@ def remarks(
     return kinds, "; ".join(filter(None, texts))
 
 
-def _faded(sums: np.ndarray, fading: np.ndarray) -> np.ndarray:
-    """Return sums over position errors at the next one: those of r as it is set remain."""
-    return fading * sums + (1 - fading) * PRIOR_ERRORS
+def thetas_of(guesses: Hypotheses[Guess]) -> np.ndarray:
+    """Return theta of each guess, (G, 2, N)."""
+    return np.array([guess.theta for guess in guesses.states])
 
 
 def theta_of(guesses: Hypotheses[Guess]) -> np.ndarray:
     """Return the mean of theta, (2, N)."""
-    thetas = np.array([guess.theta for guess in guesses.states])
-    return np.einsum("g,gak->ak", guesses.weights, thetas)
+    return np.einsum("g,gak->ak", guesses.weights, thetas_of(guesses))
 
 
 def radius_of(weights: np.ndarray, variances: np.ndarray, counts: np.ndarray) -> float:

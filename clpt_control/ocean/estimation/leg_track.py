@@ -19,6 +19,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ...paper.blocks.flow import phi_and_slopes, turning_rate, unspanned
+from ...paper.laws.fix_bound import LegRegressor
 from ...paper.laws.memory_laws import predict
 from ...paper.scenario.experiment import Scenario
 from .fix_settings import FixSettings, LocalFrame, rotated
@@ -28,7 +29,7 @@ JOINED = (
 )
 STEPS = 4  # of the integration, at least, while the vehicle crosses a width
 STEPS_OF_PERIOD = 24
-TOLD_TURN, LONG = 1.0, 3.0  # rad along a leg
+TOLD_TURN, LONG, MOST_TURN = 1.0, 3.0, 8.0  # rad along a leg
 DIFFERENCE = 1e-3  # of a width, of the differences of phi
 STRAIGHT = 1e-3  # rad, a turn that does not count
 
@@ -71,14 +72,35 @@ class Turn(NamedTuple):
     likely: float
 
 
+class Regression(NamedTuple):
+    """Y = theta m + n over a leg: Y (2,), m (N,), duration, time of its middle, parts of r^2.
+
+    `bend` and `turn` are two terms added. `path` is m along the leg, as predicted with `theta`.
+    """
+
+    Y: np.ndarray
+    m: np.ndarray
+    duration: float
+    middle: float
+    noise: np.ndarray
+    bend: float
+    turn: Turn
+    theta: np.ndarray
+    path: LegRegressor | None = None
+
+    @property
+    def added(self) -> float:
+        """Share of the variance m^T P m that the turn adds."""
+        return (min(self.turn.likely, MOST_TURN) / 2) ** 2
+
+
 @dataclass
 class Leg:
     """Way through the water since a fix.
 
     `time` is the end of the last stretch, and `known` the time that stretches cover; `waiting` is
     the last stretch, to which short ones are still joined.  `flow` is the learned flow to the east
-    at the begin, `east` the reckoned way over ground.  `shown` is the mean flow on the leg before,
-    and `off` the mean square of its components beside theta phi.
+    at the begin, `east` the reckoned way over ground.  `shown` is the mean flow on the leg before.
     """
 
     start: float
@@ -90,7 +112,6 @@ class Leg:
     flow: float = field(default=0.0, compare=False)
     east: float = 0.0
     shown: list[float] | None = field(default=None, compare=False)
-    off: float = field(default=0.0, compare=False)
 
     def move(
         self, frame: LocalFrame, stretches: np.ndarray, size: tuple[float, float]
@@ -212,15 +233,14 @@ class LegTrack:
         rates = [turning_rate(slopes, theta, covariance) for covariance in (0.0, P)]
         return Turn(*(rates @ steps[:, 0]).tolist())
 
-    def beside(self, leg: Leg, arrival: Arrival, fixes: list) -> float:
+    def beside(self, arrival: Arrival, fixes: list) -> float:
         """Return the error of the way by the flow where functions die out, length."""
         places = arrival.points[:, 1:3]
         if not len(places):
             return 0.0
         basis, prior = self.scenario.basis, self.settings.beside
-        _, v, share = unspanned(basis, prior, places, np.reshape(fixes, (-1, 2)))
-        of_flow = np.mean(v + share * leg.off)
-        return float(np.sum(arrival.points[:, 3]) * of_flow**0.5)
+        _, v, _ = unspanned(basis, prior, places, np.reshape(fixes, (-1, 2)))
+        return float(np.sum(arrival.points[:, 3]) * np.mean(v) ** 0.5)
 
     def bend(self, leg: Leg, fastest: float) -> float:
         """Return the error of a way that may have been bent, length: root of sum of squares."""

@@ -253,7 +253,7 @@ def flow_of_legs(
     if not used:
         raise DataError(refused[0])
     legs = used
-    speed = estimator.settings.speed
+    settings, speed = estimator.settings, estimator.settings.speed
     theta = estimator.flow_parameters
     scale, notes = estimator.scale, []
     turns = [result.turn for result in learned]
@@ -344,7 +344,7 @@ def flow_of_legs(
             # standard deviations far from functions or from the track, and beside functions that
             # are the same everywhere, m/s
             "unspanned_flow": unspanned * speed,
-            "scatter": estimator.scatter * (not is_spanned) * speed,
+            "scatter": estimator.scale * settings.scatter * (not is_spanned) * speed,
             # standard deviation of the walk of each parameter after 1 s, m/s
             "walk": (scenario.learning.law == WALKS)
             * estimator.settings.p.walk

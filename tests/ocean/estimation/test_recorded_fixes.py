@@ -577,11 +577,13 @@ def test_regions_hold_fixes_that_leave_the_functions(tmp_path, shear):
 
 
 def test_the_first_region_far_from_all_functions_is_that_of_the_prior(tmp_path):
-    """Student's t with two degrees of freedom: 0.5 m/s, noise of fixes and scatter."""
+    """Student's t with two degrees of freedom: 0.5 m/s, noise of fixes, kinds of scatter."""
     path = write(tmp_path / "legs.csv", straight_mission(legs=1))
     radius = learned(path, origin=[39.4, -122.1]).forecast_radius.item()
-    variance = (0.5**2 + 0.02**2) * 7200.0**2 + 2 * 10.0**2
-    assert radius == pytest.approx(np.sqrt(18 * variance), rel=1e-3)
+    sizes = np.outer([0.3, 1.2, 5.0], [1.0, 0.8, 1.6])
+    variance = (0.5**2 + (0.02 * sizes) ** 2) * 7200.0**2 + 2 * 10.0**2
+    outside = sizes / (1 + radius**2 / (2 * variance))
+    assert np.sum(outside) / np.sum(sizes) == pytest.approx(0.1, rel=2e-3)
 
 
 @pytest.mark.parametrize(
