@@ -43,12 +43,16 @@ def test_jumps_of_two_functions():
 @pytest.mark.parametrize("seed", range(len(python_models.TERMS)))
 def test_random_models_are_as_exact_as_python_controls(seed):
     """Against SciPy at 1e-10; evaluations are counted in the function itself."""
-    _, errors, evaluations, _ = python_models.measured(seed)
+    kind, errors, evaluations, _ = python_models.measured(seed)
     assert errors[0] < max(2.0 * errors[1], 1e-8)
-    assert evaluations[0] < 1.5 * evaluations[1]
+    # a jump is met by steps of 12 stages, those of python-control have 6
+    assert (
+        evaluations[0]
+        < (1.5 if kind in ("smooth", "kink", "stiff") else 2.5) * evaluations[1]
+    )
 
 
-@pytest.mark.parametrize(("k", "method"), [(1.0, "DOP853"), (1e5, "LSODA")])
+@pytest.mark.parametrize(("k", "method"), [(1.0, "DOP853"), (1e5, "Rodas5P")])
 def test_a_lag_behind_a_saw(k, method):
     """x' = k (u - x): behind a line of slope s, x is u - s/k and a part that fades."""
     times = np.linspace(0.0, 10.0, 51)
@@ -61,7 +65,7 @@ def test_a_lag_behind_a_saw(k, method):
     system = control.nlsys(rate, None, inputs=1, outputs=1, states=1, name="lag")
     with pytest.warns(UserWarning, match="runs in Python"):
         found = clpt.simulate(system, times, saw, [0.0])
-    assert found.attrs["method"] == method
+    assert found.attrs["method"].endswith(method)
     np.testing.assert_allclose(found.states[:, 0], exact, atol=1e-7)
     assert found.attrs["solver_evaluations"] < 200 * len(times)
 

