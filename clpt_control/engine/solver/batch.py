@@ -23,7 +23,9 @@ from .schedule import Schedule
 from .solver_layout import (
     FALLS,
     FIRST_STEP,
+    LOOK_ADVANCE,
     MAX_STEP,
+    NEXT_LOOK,
     POINTS,
     REALS,
     ROWS,
@@ -54,6 +56,8 @@ MANY_STEPS, FEW_STATES = (5_000, 20)
 OPERATIONS_OF_A_RATE = 10
 # of step times eigenvalue: half of what is stable
 LARGE = 3.0
+# of a model in Python: tries before its pace may end a run, and tries that are out of reach
+LATE_LOOK, OUT_OF_REACH = (10_000, 4e8)
 PARTS = 256  # of a run in which time alone decides: no step is longer
 ROUNDS = 60  # of the power method
 ANY = 2**62
@@ -212,8 +216,8 @@ class Batch:
         """
         rtol, atol, progress = options.rtol, options.atol, options.progress
         method = self.callee.method
-        is_chosen = options.method in ("auto", TAYLOR) and not method.implicit
-        may_change = implicit is not None and is_chosen
+        is_chosen = options.method in ("auto", TAYLOR) and implicit is not None
+        may_change = is_chosen and not method.implicit
         self.lane[STIFF_STEPS] = 0.0 if may_change else -np.inf
         if method.discrete:
             most = ANY
@@ -223,18 +227,19 @@ class Batch:
         most_budget = self.callee.tries
         is_short = most_budget < LATER
         budget = min(max(64, BEGIN // self.callee.nstates), most_budget)
-        told = 0.0
         while True:
             check()
             if is_short and may_change:  # look for stiffness in each call
                 self.lane[STIFF_STEPS] = np.maximum(self.lane[STIFF_STEPS], 1.0)
                 self.lane[TRIES_LEFT] = 0.0
+            look, advance = self.lane[[NEXT_LOOK, LOOK_ADVANCE], 0]
+            ahead = self.times[-1] - self.now
+            if is_short and look > LATE_LOOK and look * ahead > OUT_OF_REACH * advance:
+                most = 1
             begin = time.perf_counter()
             active = self.advance(rtol, atol, budget, most)
-            is_due = begin > told + PAUSE or not (is_short and active)
-            if progress is not None and is_due:
+            if progress is not None:
                 progress(self.now)
-                told = begin
             if not active:
                 break
             # end stiff runs

@@ -15,7 +15,7 @@ from scipy.integrate import solve_ivp
 
 from ...base.progress.interrupt import check
 from ..methods import RODAS5P
-from .batch import Batch, End
+from .batch import LATE_LOOK, OUT_OF_REACH, Batch, End
 from .solver_layout import EVALUATIONS, MAX_STEP, TIME, Status
 
 LSODA = RODAS5P._replace(name="LSODA")
@@ -30,16 +30,19 @@ class LsodaBatch(Batch):
 
     is_running = False  # in the thread with the lock: a model may simulate another one
 
-    def finish(self, options: Any, most: int, implicit: Any = None) -> None:
+    def finish(self, options: Any, most: int = 0, implicit: Any = None) -> None:
         """Run to the end, or leave the run to another method."""
         self.is_small = False  # not kept for runs by other methods
-        times, counts, P = self.times, self.counts[0], self.memory.P
+        times, counts = self.times, self.counts[0]
+        code, P = self.callee.code, self.memory.P
 
         def rates(t: float, x: ndarray) -> ndarray:
             check()
             counts[EVALUATIONS] += 1
-            found = self.callee.code.derivative(t, x, P)
-            if counts[EVALUATIONS] > most or not np.isfinite(found).all():
+            found = code.derivative(code.at(t, x, P), P)
+            count, advance = counts[EVALUATIONS], t - times[0]
+            is_slow = count * (times[-1] - t) > OUT_OF_REACH * advance
+            if (count > LATE_LOOK and is_slow) or not np.isfinite(found).all():
                 raise ArithmeticError
             return found
 

@@ -70,67 +70,75 @@ class PythonCode:
         """Return the sparsity of df/dx: a full matrix."""
         return linear_of(np.ones((self.sweep.nstates, self.sweep.nstates + 1), bool))
 
+    def at(self, t: float, x: ndarray, P: ndarray) -> Any:
+        """Return time, states and inputs; enter the intervals that P has."""
+        for k, place in self.layout.intervals.items():
+            self.sweep.enter_interval(k, P[place])
+        begin, *lines = P[len(self.layout.P) : -2]
+        values, slopes = np.reshape(lines, (2, -1))
+        return t, x, values + (t - begin) * slopes
+
     def _call(self, function: Callable, t: int, X: int, P: int, T: int, W: int, D: int):
         """Call a function, and write its results into D, signals into W."""
         if self.error is not None:
             return
         try:
-            x = numbers_at(X, self.sweep.nstates)
-            parameters = numbers_at(P, self.program.parameters)
-            results = function(c_double.from_address(t).value, x, parameters)
+            numbers = numbers_at(P, self.program.parameters)
+            time, x = c_double.from_address(t).value, numbers_at(X, self.sweep.nstates)
+            results = function(self.at(time, x, numbers), numbers)
             to = W if results is self.sweep.signals else D
             numbers_at(to, len(results))[:] = results
         except BaseException as error:
             self.error = error
 
-    def _inputs(self, t: float, P: ndarray) -> ndarray:
-        """Return the inputs at a time; enter the intervals that P has."""
-        for k, place in self.layout.intervals.items():
-            self.sweep.enter_interval(k, P[place])
-        begin, *lines = P[len(self.layout.P) : -2]
-        values, slopes = np.reshape(lines, (2, -1))
-        return values + (t - begin) * slopes
+    # --- functions of time, states and inputs, and of P -----------------------------------
 
-    # --- functions ------------------------------------------------------------------------
-
-    def derivative(self, t: float, x: ndarray, P: ndarray) -> ndarray:
+    def derivative(self, at: Any, P: ndarray) -> ndarray:
         """Return dx/dt, in discrete time the next states."""
-        rates = self.sweep.derivative(t, x, self._inputs(t, P))
+        rates = self.sweep.derivative(*at)
         if self.sweep.wiring.dt:
             self.rows.append(self.sweep.signals.copy())
         return rates
 
     @np.errstate(all="ignore")
-    def prepare(self, t: float, x: ndarray, P: ndarray) -> tuple[()]:
+    def prepare(self, at: Any, P: ndarray) -> tuple[()]:
         """Find the rounding errors of distances: a change of the states shows their operands."""
         if self.sweep.guarded:
-            u, change = self._inputs(t, P), CHANGE * np.linspace(0.7, 1.0, len(x))
-            now = np.array(self.sweep.distances(t, x, u))
-            changes = now - self.sweep.distances(t, x + change * x, u)
+            t, x, u = at
+            changed = x + CHANGE * np.linspace(0.7, 1.0, len(x)) * x
+            now = np.array(self.sweep.distances(*at))
+            changes = now - self.sweep.distances(t, changed, u)
             self.rounding = ROUNDING * (np.abs(now) + np.abs(changes) / CHANGE)
         return ()
 
-    def signals(self, t: float, x: ndarray, P: ndarray) -> ndarray:
+    def signals(self, at: Any, P: ndarray) -> ndarray:
         """Return all block outputs."""
-        return self.sweep.evaluate(t, x, self._inputs(t, P))
+        return self.sweep.evaluate(*at)
 
-    def jump(self, t: float, x: ndarray, P: ndarray) -> ndarray:
+    def jump(self, at: Any, P: ndarray) -> ndarray:
         """Return the states after the jumps that P requests."""
-        jumping, beginning = (
-            [k for k, place in self.layout.jumps.items() if P[place] == kind]
-            for kind in (JUMPS, BEGINS)
-        )
-        return self.sweep.jump(t, x, self._inputs(t, P), jumping, beginning)
+        places = self.layout.jumps.items()
+        jumping = [k for k, place in places if P[place] == JUMPS]
+        beginning = [k for k, place in places if P[place] == BEGINS]
+        return self.sweep.jump(*at, jumping, beginning)
 
-    def decide(self, t: float, x: ndarray, P: ndarray) -> ndarray:
+    def decide(self, at: Any, P: ndarray) -> ndarray:
         """Return the distances of guards in place of decisions, again, and their rounding."""
-        distances = self.sweep.distances(t, x, self._inputs(t, P))
+        distances = self.sweep.distances(*at)
         return np.concatenate([distances, distances, self.rounding])
+
+    def keep(self, problem: Any) -> None:
+        """Keep an exception that ctypes drops, before the first line of a callback: Ctrl-C."""
+        if "ctypes" in (problem.err_msg or ""):
+            self.error = self.error or problem.exc_value
+        else:
+            sys.__unraisablehook__(problem)
 
 
 def numbers_at(address: int, count: int) -> ndarray:
     """Return an array of the numbers at an address."""
-    return np.ndarray(count, float, (c_double * count).from_address(address or 0))
+    buffer: Any = (c_double * count).from_address(address or 0)
+    return np.ndarray(count, float, buffer)
 
 
 class PythonCallee(Callee):
@@ -139,28 +147,19 @@ class PythonCallee(Callee):
     tries = 16  # of a call of the solver; then it looks for stiffness
 
     def call(self, name: str, numbers: ndarray) -> int:
-        """Call a function of the solver; raise the first exception of a function.
-
-        ctypes drops an exception that arrives before the first line of a callback, such as Ctrl-C.
-        """
+        """Call a function of the solver; raise the first exception of a function."""
         code, hook = self.code, sys.unraisablehook
         code.error = None
-
-        def keep(problem: Any) -> None:
-            if "ctypes" in (problem.err_msg or ""):
-                code.error = code.error or problem.exc_value
-            else:
-                hook(problem)
-
         is_main = threading.current_thread() is threading.main_thread()
-        sys.unraisablehook = keep if is_main else hook
         try:
-            result = super().call(name, numbers)
+            if is_main:
+                sys.unraisablehook = code.keep
+            return super().call(name, numbers)
         finally:
-            sys.unraisablehook = hook
-        if code.error is not None:
-            raise code.error
-        return result
+            if is_main:
+                sys.unraisablehook = hook
+            if code.error is not None:
+                raise code.error
 
 
 class PythonDiagram(Runner):

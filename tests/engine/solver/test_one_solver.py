@@ -465,3 +465,12 @@ def test_progress_is_shown_as_a_run_goes():
     simulate(model, [0.0, 1.0], [1.0], progress=seen.append)
     assert seen == sorted(seen)
     assert seen[-1] == 1.0
+
+
+def test_a_relay_that_chatters_ends_with_a_sentence():
+    """In Python no run slides on a switch; it would take hours."""
+    relay = control.nlsys(
+        lambda t, x, u, p: [0.5 - np.sign(x[0])], inputs=0, outputs=1, states=1
+    )
+    with pytest.raises(clpt.SimulationError, match="too many steps"):
+        clpt.simulate(relay, [0.0, 2.0], None, [0.5], engine="python")
