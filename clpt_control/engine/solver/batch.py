@@ -224,9 +224,8 @@ class Batch:
         if self.callee.decided:
             first = self.callee.decided_at
             self.runs.parameters[:, first - 2 : first] = rtol, atol
-        most_budget = self.callee.tries
-        is_short = most_budget < LATER
-        budget = min(max(64, BEGIN // self.callee.nstates), most_budget)
+        is_short = self.callee.tries < LATER
+        budget = min(max(64, BEGIN // self.callee.nstates), self.callee.tries)
         while True:
             check()
             if is_short and may_change:  # look for stiffness in each call
@@ -246,12 +245,14 @@ class Batch:
             doubtful = np.flatnonzero(self.lane[STIFF_STEPS] >= STIFF_AFTER)
             for k in doubtful:
                 self._end_if_stiff(int(k), options, implicit)
+            if is_short:  # where a run is looked at must not depend on the clock
+                continue
             # adapt the tries of a call to its duration
             if len(doubtful):  # they were not used up
                 budget = max(budget // 4, 1)
             share = PAUSE / max(time.perf_counter() - begin, 1e-6)
             wished = max(budget * share, budget / 2 + 1)
-            budget = int(min(wished, 4 * budget, most_budget))
+            budget = int(min(wished, 4 * budget))
 
     def advance(
         self, rtol: float, atol: float, budget: int, most: int = MEMBER_STEPS

@@ -117,10 +117,10 @@ class PythonCode:
 
     def jump(self, at: Any, P: ndarray) -> ndarray:
         """Return the states after the jumps that P requests."""
-        places = self.layout.jumps.items()
+        (t, x, u), places = at, self.layout.jumps.items()
         jumping = [k for k, place in places if P[place] == JUMPS]
         beginning = [k for k, place in places if P[place] == BEGINS]
-        return self.sweep.jump(*at, jumping, beginning)
+        return self.sweep.jump(t, x, u, jumping, beginning)
 
     def decide(self, at: Any, P: ndarray) -> ndarray:
         """Return the distances of guards in place of decisions, again, and their rounding."""

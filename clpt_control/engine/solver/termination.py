@@ -4,7 +4,6 @@ When a run meets a guard, or a number that is not finite, the blocks are evaluat
 the signal: the sentence names block, signal and time.
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -101,28 +100,19 @@ def without_states(
 
     def guard(t: float) -> tuple[float, str, str]:
         sweep.enter(t)
-        u = inputs.at(t)
-        return sweep.margin(t, solution.x[0], u)
+        return sweep.margin(t, solution.x[0], inputs.at(t))
 
     for k, t in enumerate(times if sweep.guarded else ()):
         if guard(t)[0] >= 0.0:
             continue
-        end = edge(lambda time: guard(time)[0], times[max(k - 1, 0)], t)
-        reached = np.append(times[:k], end)
-        states = np.zeros((k + 1, 0))
-        _, policy, sentence = guard(end)
-        return stopped(solution, policy, sentence, reached, states)
+        low, high = times[max(k - 1, 0)], t
+        while low < (middle := 0.5 * (low + high)) < high:
+            is_inside = guard(middle)[0] >= 0.0
+            low, high = (middle, high) if is_inside else (low, middle)
+        _, policy, sentence = guard(high)
+        reached = np.append(times[:k], high)
+        return stopped(solution, policy, sentence, reached, np.zeros((k + 1, 0)))
     return solution
-
-
-def edge(margin: Callable[[float], float], low: float, high: float) -> float:
-    """Return the time between two at which a margin becomes negative, by bisection."""
-    while low < (middle := 0.5 * (low + high)) < high:
-        if margin(middle) >= 0.0:
-            low = middle
-        else:
-            high = middle
-    return high
 
 
 def stopped(solution: Solution, policy: str, sentence: str, t: Any, x: Any) -> Solution:

@@ -419,21 +419,18 @@ def test_a_guard_that_is_not_a_number():
 
 
 def test_a_model_that_simulates_another_one():
-    """x' = -y(1), where y' = -y begins at x."""
+    """x[k+1] = y(1), where y' = -y begins at x[k]."""
     inner = control.nlsys(
         lambda t, x, u, p: [-x[0]], inputs=0, outputs=1, states=1, name="inner"
     )
 
-    def rates(t, x, u, p):
-        return [
-            -simulate(inner, [0.0, 1.0], [float(x[0])], max_step=0.5).states.values[
-                -1, 0
-            ]
-        ]
+    def update(t, x, u, p):
+        return simulate(inner, [0.0, 1.0], [float(x[0])]).states.values[-1]
 
-    outer = control.nlsys(rates, inputs=0, outputs=1, states=1, name="outer")
-    run = simulate(outer, [0.0, 0.1], [1.0], method="rodas5p", max_step=0.1)
-    np.testing.assert_allclose(run.states[-1], np.exp(-0.1 * np.exp(-1.0)), atol=1e-7)
+    sizes = {"inputs": 0, "outputs": 1, "states": 1, "dt": 1.0}
+    outer = control.nlsys(update, None, **sizes, name="outer")
+    run = clpt.simulate(outer, [0.0, 1.0, 2.0, 3.0], None, [1.0], engine="python")
+    np.testing.assert_allclose(run.states[:, 0], np.exp(-run.time), atol=1e-8)
 
 
 def test_threads():
@@ -467,6 +464,7 @@ def test_progress_is_shown_as_a_run_goes():
     assert seen[-1] == 1.0
 
 
+@pytest.mark.long
 def test_a_relay_that_chatters_ends_with_a_sentence():
     """In Python no run slides on a switch; it would take hours."""
     relay = control.nlsys(
@@ -474,3 +472,14 @@ def test_a_relay_that_chatters_ends_with_a_sentence():
     )
     with pytest.raises(clpt.SimulationError, match="too many steps"):
         clpt.simulate(relay, [0.0, 2.0], None, [0.5], engine="python")
+
+
+def test_slow_functions_take_the_same_steps():
+    """Calls of the solver are as many tries long on a busy machine: no number changes."""
+    problem, found = PROBLEMS["HIRES"], []
+    for pause in (0.0, 2e-4):
+        slept = lambda t, x, u, p: time.sleep(pause) or problem.rates(t, x, u, p)  # noqa: B023, E731
+        block = Block("slow", update=slept, states={"s": 8})
+        run = PythonDiagram(block).run(problem.start, [0.0, 5.0], rtol=1e-4, atol=1e-4)
+        found.append((run.x.tolist(), run.method, run.statistics["steps"]))
+    assert found[0] == found[1]
