@@ -167,7 +167,7 @@ class PythonDiagram(Runner):
 
     engine = "python"
     most = 1_000_000
-    kind = PythonCallee
+    callee_type = PythonCallee
     slack = ROUNDING
 
     def __init__(self, diagram: control.NonlinearIOSystem | Wiring):

@@ -52,7 +52,7 @@ class Runner:
 
     engine: str
     most: int  # tries of a run
-    kind = Callee
+    callee_type = Callee
     slack = 0.0  # of samples of inputs that are one straight line, relative
     comparisons = 0  # runs of machine code that were compared with Python
     hidden_state = ""  # a sentence on a function that has one
@@ -145,7 +145,7 @@ class Runner:
             lanes = 1
         callee = self.callees.get((lanes, method))
         if callee is None:
-            callee = self.callees[lanes, method] = self.kind(self, lanes, method)
+            callee = self.callees[lanes, method] = self.callee_type(self, lanes, method)
         return callee
 
     # --- runs -----------------------------------------------------------------------------
