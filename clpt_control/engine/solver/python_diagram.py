@@ -8,6 +8,7 @@ The first exception of a function is kept, and raised when the solver has return
 import sys
 import threading
 from collections.abc import Callable, Sequence
+from copy import copy
 from ctypes import CFUNCTYPE, c_double, c_void_p, cast
 from dataclasses import replace
 from functools import partial
@@ -27,7 +28,7 @@ from .inputs import Inputs
 from .jacobian_pattern import linear_of
 from .lsoda import TIMES
 from .runner import Runner, RunOptions
-from .schedule import BEGINS, JUMPS
+from .schedule import BEGINS, JUMPS, Schedule
 from .solver_layout import DERIVATIVE, Linear
 from .termination import Solution
 
@@ -187,6 +188,12 @@ class PythonDiagram(Runner):
         diagram = super().with_parameters(parameters)
         diagram._lay_out()
         return diagram
+
+    def segments_of(self, solution: Solution, inputs: Inputs) -> Schedule:
+        """Return the segments of time of a run, with inputs equal to those given to the bit."""
+        exact = copy(self)
+        exact.slack = 0.0
+        return exact.schedule(solution.t, inputs)
 
     def solve(
         self, start: ndarray, times: ndarray, inputs: Inputs, options: RunOptions
