@@ -6,7 +6,7 @@ import numpy as np
 import clpt_control as clpt
 from clpt_control import initial_state
 from clpt_control.engine.solver.native_diagram import compile
-from clpt_control.engine.solver.python_runs import PythonDiagram
+from clpt_control.engine.solver.python_diagram import PythonDiagram
 
 from .cases import Case
 from .engines import timed

@@ -128,7 +128,7 @@ class SystemRun:
             if not why:
                 return solution, runner.signals(solution, inputs)
             self.leave_machine_code(why)
-            from ..engine.solver.python_runs import PythonDiagram
+            from ..engine.solver.python_diagram import PythonDiagram
 
             parameters = runner.block_parameters
             runner = PythonDiagram(self.wiring).with_parameters(parameters)

@@ -49,7 +49,7 @@ from clpt_control.engine.record.symbolic import ON_NUMBERS, Symbols
 from clpt_control.engine.record.unread import Unread
 from clpt_control.engine.solver.evaluation_pass import Sweep
 from clpt_control.engine.solver.native_diagram import NativeDiagram
-from clpt_control.engine.solver.python_runs import PythonDiagram
+from clpt_control.engine.solver.python_diagram import PythonDiagram
 from clpt_control.engine.solver.schedule import JUMPS
 
 BACKEND = Tolerance(of_largest=1e-12, least=1e-12)

@@ -42,7 +42,7 @@ from clpt_control.engine.record.unread import Unread
 from clpt_control.engine.solver import solver_layout
 from clpt_control.engine.solver.batch import Batch
 from clpt_control.engine.solver.native_diagram import NativeDiagram, compile
-from clpt_control.engine.solver.python_runs import PythonDiagram
+from clpt_control.engine.solver.python_diagram import PythonDiagram
 from clpt_control.engine.solver.runner import RunOptions
 from clpt_control.engine.solver.solver_layout import Status
 from clpt_control.engine.trace import heaps, tracing

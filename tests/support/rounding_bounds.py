@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from clpt_control.engine.solver.evaluation_pass import Sweep
-from clpt_control.engine.solver.python_runs import PythonDiagram
+from clpt_control.engine.solver.python_diagram import PythonDiagram
 
 OFF = 100 * 2.0**-52
 RUNS = 40

@@ -23,7 +23,9 @@ from .schedule import Schedule
 from .solver_layout import (
     FALLS,
     FIRST_STEP,
+    LOOK_ADVANCE,
     MAX_STEP,
+    NEXT_LOOK,
     POINTS,
     REALS,
     ROWS,
@@ -34,6 +36,7 @@ from .solver_layout import (
     STIFF_AFTER,
     STIFF_STEPS,
     TIME,
+    TRIES_LEFT,
     Linear,
     Memory,
     Results,
@@ -53,6 +56,8 @@ MANY_STEPS, FEW_STATES = (5_000, 20)
 OPERATIONS_OF_A_RATE = 10
 # of step times eigenvalue: half of what is stable
 LARGE = 3.0
+# of a model in Python: tries before its pace may end a run, and tries that are out of reach
+LATE_LOOK, OUT_OF_REACH = (10_000, 4e8)
 PARTS = 256  # of a run in which time alone decides: no step is longer
 ROUNDS = 60  # of the power method
 ANY = 2**62
@@ -211,16 +216,25 @@ class Batch:
         """
         rtol, atol, progress = options.rtol, options.atol, options.progress
         method = self.callee.method
-        may_change = options.method in ("auto", TAYLOR) and not method.implicit
-        self.lane[STIFF_STEPS] = 0.0 if implicit and may_change else -np.inf
+        is_chosen = options.method in ("auto", TAYLOR) and implicit is not None
+        may_change = is_chosen and not method.implicit
+        self.lane[STIFF_STEPS] = 0.0 if may_change else -np.inf
         if method.discrete:
             most = ANY
         if self.callee.decided:
             first = self.callee.decided_at
             self.runs.parameters[:, first - 2 : first] = rtol, atol
-        budget = max(64, BEGIN // self.callee.nstates)
+        is_short = self.callee.tries < LATER
+        budget = min(max(64, BEGIN // self.callee.nstates), self.callee.tries)
         while True:
             check()
+            if is_short and may_change:  # look for stiffness in each call
+                self.lane[STIFF_STEPS] = np.maximum(self.lane[STIFF_STEPS], 1.0)
+                self.lane[TRIES_LEFT] = 0.0
+            look, advance = self.lane[[NEXT_LOOK, LOOK_ADVANCE], 0]
+            ahead = self.times[-1] - self.now
+            if is_short and look > LATE_LOOK and look * ahead > OUT_OF_REACH * advance:
+                most = 1
             begin = time.perf_counter()
             active = self.advance(rtol, atol, budget, most)
             if progress is not None:
@@ -231,6 +245,8 @@ class Batch:
             doubtful = np.flatnonzero(self.lane[STIFF_STEPS] >= STIFF_AFTER)
             for k in doubtful:
                 self._end_if_stiff(int(k), options, implicit)
+            if is_short:  # where a run is looked at must not depend on the clock
+                continue
             # adapt the tries of a call to its duration
             if len(doubtful):  # they were not used up
                 budget = max(budget // 4, 1)
@@ -256,7 +272,8 @@ class Batch:
         # many steps must be ahead
         t, h = self.lane[[TIME, STEP_SIZE], k].tolist()
         callee = implicit()
-        if self.times[-1] - t < h * steps_worth(callee, self.callee.method):
+        worth = steps_worth(callee, self.callee.method)
+        if self.times[-1] - t < h * worth and self.callee.tries > LATER:
             return
         # the first implicit step computes the Jacobian
         schedule = self.schedules[self.runs.schedule[m]].after(t)

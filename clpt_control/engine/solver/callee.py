@@ -37,6 +37,8 @@ class Callee:
         Number of events in state: decisions and guards.
     levels : ndarray
         1 for each guard at which states jump.
+    tries : int
+        Tries of a call of the solver at most.
     tables : ndarray
         T, which is not empty.
     linear : Linear
@@ -48,8 +50,11 @@ class Callee:
         Arrays of calls by shape, while no thread uses them.
     """
 
+    tries = 2**62
+
     def __init__(self, diagram: Any, lanes: int, method: Method):
         code, layout, n = diagram.code, diagram.layout, diagram.nstates
+        self.code = code
         program = code.program
         self.program, self.nstates = program, n
         self.lanes, self.method = lanes, method
@@ -66,7 +71,7 @@ class Callee:
         if machine is not None:
             functions += machine.addresses.values()
         self.functions = np.array(functions, dtype=np.int64)
-        self.alive = code, machine  # for as long as addresses are used
+        self.machine = machine  # for as long as addresses are used
         # 2. sizes, and facts about events, rates and the method
         self.shape = Shape(
             lanes,

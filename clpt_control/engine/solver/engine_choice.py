@@ -52,7 +52,7 @@ def make_runner(
             return NativeDiagram(wiring, apart=apart)
         except Uncompiled as error:
             warn_python(name, str(error))
-    from .python_runs import PythonDiagram
+    from .python_diagram import PythonDiagram
 
     runner = PythonDiagram(wiring)
     runner.hidden_state = hidden_state(wiring)

@@ -54,7 +54,7 @@ class Sweep:
         self._moving = [k for k in wiring.order if systems[k].nstates]
         breaking = [system.breakpoints_function is not None for system in systems]
         self.breaking = np.flatnonzero(breaking).tolist()
-        self._with_intervals = [
+        self.with_intervals = [
             k for k in self.breaking if not parameters[k].interval >= 0.0
         ]
         jumping = [system.jump_function is not None for system in systems]
@@ -135,10 +135,13 @@ class Sweep:
 
     def enter(self, t: float) -> None:
         """Set every block's `interval` to the one that holds t."""
-        for k in self._with_intervals:
-            parameters = self.parameters[k]
-            interval = self.interval_of(k, t)
-            self._current[k] = parameters._replace(interval=interval)
+        for k in self.with_intervals:
+            self.enter_interval(k, self.interval_of(k, t))
+
+    def enter_interval(self, k: int, interval: float) -> None:
+        """Set the `interval` of a block."""
+        if self._current[k].interval != interval:
+            self._current[k] = self.parameters[k]._replace(interval=interval)
 
     def evaluate(
         self, t: float, x: ndarray, u: External = None, sampling: Collection[int] = ()
@@ -215,7 +218,7 @@ class Sweep:
 
         They are those right after t in a run of the length `run`.
         """
-        if self._with_intervals:
+        if self.with_intervals:
             self.enter(t + rounding(t, run))
         rates = self.derivative(t, x, u)
         results = [self.signals.copy()]

@@ -1,10 +1,8 @@
 """Times, initial states and inputs of a run, in the forms that python-control takes.
 
-Inputs are joined by straight lines, or constant.  In Python a run stops at sharp bends of a sampled
-input; smaller bends, as of a sampled sine, are smooth to the tolerance.
+Inputs are joined by straight lines, or constant.
 """
 
-from bisect import bisect_right
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -14,8 +12,6 @@ from numpy import ndarray
 
 from ...base.arguments import brief, finite, numbers
 from ...base.errors import SimulationError
-
-SHARP = 10.0  # a bend is sharp if it is so many times as large as most
 
 
 @dataclass(frozen=True)
@@ -30,19 +26,7 @@ class Inputs:
 
     def at(self, t: float) -> ndarray:
         """Return the inputs at a time."""
-        times, u = self.samples
-        if len(times) == 1:
-            return u[:, 0]
-        begins, rows, slopes = self._straight
-        k = max(bisect_right(begins, t) - 1, 0)
-        return rows[k] + (t - begins[k]) * slopes[k]
-
-    @cached_property
-    def _straight(self) -> tuple[list[float], ndarray, ndarray]:
-        times, u = self.samples
-        rows = np.ascontiguousarray(u.T)
-        slopes = np.ascontiguousarray(self.slopes.T)
-        return times.tolist(), rows, slopes
+        return self.along(np.array([t]))[:, 0]
 
     @cached_property
     def slopes(self) -> ndarray:
@@ -62,18 +46,18 @@ class Inputs:
         repeated = times[1:] == times[:-1]
         return np.unique(times[1:][repeated]) if repeated.any() else times[:0]
 
-    @property
-    def kinks(self) -> ndarray:
-        """Times at which the inputs bend.
+    def kinks(self, slack: float) -> ndarray:
+        """Return the times at which the inputs bend.
 
-        Samples on one straight line, equal to the bit, are one segment.
+        Samples on one straight line, equal but for `slack`, relative, are one segment.
         """
         times, u = self.samples
         slopes = self.slopes
         if len(times) < 3:
             return times
         bending = np.ones(len(times), dtype=bool)
-        bending[1:-1] = np.any(slopes[:, 1:-1] != slopes[:, :-2], axis=0)
+        least = slack * np.abs(slopes).max(axis=1, keepdims=True)
+        bending[1:-1] = np.any(np.abs(np.diff(slopes[:, :-1])) > least, axis=0)
         if len(self.jumps):
             bending |= np.isin(times, self.jumps)
         bends = np.flatnonzero(bending)
@@ -81,33 +65,9 @@ class Inputs:
         begins = np.repeat(bends[:-1], lengths)  # of each sample's segment
         elapsed = times[:-1] - times[begins]
         line = u[:, begins] + slopes[:, begins] * elapsed
-        straight = np.array_equal(line, u[:, :-1])
-        kinks = times[bends] if straight else times
+        off = np.abs(line - u[:, :-1]) > slack * np.abs(u).max(axis=1, keepdims=True)
+        kinks = times if off.any() else times[bends]
         return np.unique(kinks) if len(self.jumps) else kinks
-
-    def sharp_bends(self, least: float) -> ndarray:
-        """Return the times at which the inputs bend sharply.
-
-        A bend that is larger than most, or leaves the line before it by `least` of the largest
-        value, is sharp.
-        """
-        times, u = self.samples
-        if len(times) < 3:
-            return times[:0]
-        # compare each change of slope with the usual one
-        slopes = self.slopes[:, :-1]
-        bends = np.abs(np.diff(slopes))
-        usual = np.median(bends, axis=1, keepdims=True)
-        rounding_error = 1e-12 * np.max(np.abs(slopes), axis=1, keepdims=True)
-        sharp = bends > SHARP * usual + rounding_error
-        # compare the departure from the line before with the size of the input
-        spans = np.diff(times)
-        departure = bends * np.minimum(spans[1:], spans[:-1])
-        sharp |= departure > (least + 1e-12) * np.max(np.abs(u), axis=1, keepdims=True)
-        is_sharp = np.any(sharp, axis=0)
-        if len(self.jumps):
-            is_sharp |= np.isin(times[1:-1], self.jumps)
-        return np.unique(times[1:-1][is_sharp])
 
     def rises(self, k: int) -> ndarray | None:
         """Return the times at which an input rises above 1/2; None if it is constant."""

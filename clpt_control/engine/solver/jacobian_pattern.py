@@ -26,7 +26,12 @@ FULL = 0.3  # share of elements from which on a matrix counts as full
 
 def jacobian(record: DiagramRecord, n: int) -> Linear:
     """Return the sparsity of the Jacobian matrix of a record's rates, of n states."""
-    reach = reach_of(record, n)
+    return linear_of(reach_of(record, n))
+
+
+def linear_of(reach: np.ndarray) -> Linear:
+    """Return the sparsity of a Jacobian matrix with this reach, as `reach_of` has it."""
+    n = len(reach)
     positions, lower, upper = _ordered(reach[:, :n])
     groups = group_columns(reach, np.arange(n + 1))
     rows, columns = np.nonzero(reach)

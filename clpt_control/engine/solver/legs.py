@@ -1,4 +1,4 @@
-"""A run of machine code: its legs, and what follows where one has stopped.
+"""A run: its legs, and what follows where one has stopped.
 
 A leg is a program, a method and parameters, from a time and a state on.  It ends with a status.
 `FOLLOWING` has a function for each status after which a run may go on: by another method
@@ -18,6 +18,7 @@ from ..methods import IMPLICIT, TAYLOR, Method
 from .batch import Batch, batch_of
 from .evaluation_pass import rounding
 from .inputs import Inputs
+from .lsoda import LSODA, LsodaBatch
 from .schedule import Schedule
 from .solver_layout import STATE, Results, Status
 from .termination import STUCK, Solution, ended, stopped_at
@@ -33,7 +34,7 @@ SHORT = 1e-7
 class Leg(NamedTuple):
     """The beginning of a leg, and what runs from there on."""
 
-    program: Any  # a form of the `NativeDiagram`
+    program: Any  # a `Runner`
     method: Method
     parameters: ndarray
     time: float
@@ -55,7 +56,7 @@ def may_go_on(diagram: Any) -> list[Status]:
 
 
 class NativeRun:
-    """One run of a `NativeDiagram`, from a state with parameters P.
+    """One run of a diagram, from a state with parameters P.
 
     Attributes
     ----------
@@ -96,7 +97,7 @@ class NativeRun:
         steps, evaluations, restarts, _ = results.counts[0].tolist()
         counts = {"steps": steps, "evaluations": evaluations, "restarts": restarts}
         solution = Solution(self.times, results.states[0], statistics=counts)
-        solution.engine, solution.method = "native", run.description
+        solution.engine, solution.method = self.diagram.engine, run.description
         if run.status != Status.FINISHED:
             solution = ended(run, solution, inputs)
         solution.pieces = self.segments
@@ -213,9 +214,13 @@ class NativeRun:
     def _batch(self, leg: Leg, times: ndarray, segments: Schedule) -> Batch:
         """Return a batch of a leg, which went on until it stopped."""
         options, P = self.options, leg.parameters
-        callee = leg.program.callee(1, leg.method)
-        at = leg.state, P, times, segments
-        batch = batch_of(callee, *at, options.max_step, leg.opening)
+        if leg.method is LSODA:
+            runs = leg.program.implicit(), leg.state[None], P[None], times, [segments]
+            batch: Batch = LsodaBatch(*runs, None, options.max_step)
+        else:
+            callee = leg.program.callee(1, leg.method)
+            at = leg.state, P, times, segments
+            batch = batch_of(callee, *at, options.max_step, leg.opening)
         batch.finish(options, leg.program.most, leg.program.implicit)
         return batch
 
@@ -235,8 +240,12 @@ class NativeRun:
         return self.leg._replace(time=time, state=state, opening=opening, **changed)
 
     def by_implicit_method(self) -> Leg:
-        """Go on by Rodas5P: the equations are stiff."""
-        return self._from_end(method=IMPLICIT)
+        """Go on by Rodas5P: the equations are stiff; in Python by LSODA if nothing happens."""
+        diagram, is_again = self.diagram, self.leg.method is LSODA
+        happens = diagram.sweep.guarded or diagram.layout.jumps or is_again
+        is_plain = len(self.segments.edges) == 2 and not happens
+        in_python = diagram.engine == "python"
+        return self._from_end(method=LSODA if in_python and is_plain else IMPLICIT)
 
     def onto_switches(self) -> Leg | None:
         """Go on on the switches that a leg crossed to and fro."""

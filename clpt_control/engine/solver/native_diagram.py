@@ -11,15 +11,12 @@ import numpy as np
 from ..codegen.diagram_record import PLAIN, Form, lay_out
 from ..codegen.machine import LANES, fuses
 from ..diagram.wiring import Wiring
-from ..methods import DISCRETE, EXPLICIT, IMPLICIT, METHODS, Method
-from .callee import MOST_KEPT, Callee, keep
+from .callee import MOST_KEPT, keep
 from .diagram_code import code_of
 from .inputs import NO_INPUTS, Inputs
-from .legs import NativeRun
-from .runner import Runner, RunOptions
+from .runner import Runner
 from .schedule import Schedule
 from .solver_layout import DECISION, DERIVATIVE, JUMP, SIGNALS
-from .termination import Solution, without_states
 
 ABREAST = 256  # states of runs in lanes; more do not fit the first cache
 
@@ -44,7 +41,6 @@ class NativeDiagram(Runner):
     """
 
     engine = "native"
-    ramps = True
     most = 500_000_000
 
     def __init__(
@@ -59,19 +55,10 @@ class NativeDiagram(Runner):
         self.code = code_of(self.wiring, self.layout, form)
         self.nstates *= form.copies
         self.nsignals *= form.copies
-        # offset in P of the decisions, behind the tolerances
-        self.decided_at = self.layout.inputs(self.wiring.ninputs) + 2
         # of the last runs by times and inputs, the same for any parameters
         self._schedules: dict[Any, Schedule] = {}
         # callees by lanes and method, with arrays of earlier runs; series by order and lanes
         self.callees: dict[Any, Any] = {}
-
-    def parameters(self, of_run: np.ndarray | None = None) -> np.ndarray:
-        """Return P, or that of a run in another form, with room for inputs and prepared numbers."""
-        own = self.layout.P
-        P = np.zeros(self.code.program.parameters)
-        P[: len(own)] = own if of_run is None else of_run[: len(own)]
-        return P
 
     def with_parameters(self, parameters: Sequence[Any]) -> Self:
         """Return the same code with other parameters of its blocks."""
@@ -89,9 +76,7 @@ class NativeDiagram(Runner):
 
     # --- runs -----------------------------------------------------------------------------
 
-    def schedule(
-        self, times: Any, inputs: Inputs = NO_INPUTS, least: float = 0.0
-    ) -> Schedule:
+    def schedule(self, times: Any, inputs: Inputs = NO_INPUTS) -> Schedule:
         """Return the segments of a run, the same for the same times and inputs.
 
         Breakpoints of blocks are looked up each time.
@@ -105,22 +90,6 @@ class NativeDiagram(Runner):
             schedule = super().schedule(times, inputs)
             keep(self._schedules, key, schedule)
         return schedule
-
-    def solve(
-        self, start: np.ndarray, times: np.ndarray, inputs: Inputs, options: RunOptions
-    ) -> Solution:
-        """Integrate from the first to the last of the times in machine code."""
-        if not self.nstates:
-            return without_states(self.sweep, times, inputs, self.engine)
-        segments, P = self.schedule(times, inputs), self.parameters()
-        if segments.begins:
-            (start,) = self.callee().evaluate(JUMP, times[:1], start, segments, P)
-        return NativeRun(self, start, P, times, segments, options).solution(inputs)
-
-    def evaluate(self, solution: Solution, inputs: Inputs) -> np.ndarray:
-        """Return all block outputs at a solution's times, finite or not."""
-        points = solution.t, solution.x, self.segments_of(solution, inputs)
-        return self.callee().evaluate(SIGNALS, *points, self.parameters())
 
     def results(
         self,
@@ -144,30 +113,6 @@ class NativeDiagram(Runner):
             events = callee.events_at(*at, P)
             results.append(events[:, DECISION, callee.decided :])
         return results
-
-    def segments_of(self, solution: Solution, inputs: Inputs) -> Schedule:
-        """Return the segments of time of a run."""
-        return solution.pieces or self.schedule(solution.t, inputs)
-
-    def method_of(self, method: str) -> Method:
-        """Return the method of a run."""
-        return DISCRETE if self.wiring.dt else METHODS[method]
-
-    def implicit(self) -> Callee:
-        """Return what the solver calls for its implicit method."""
-        return self.callee(1, IMPLICIT)
-
-    def callee(self, lanes: int = 1, method: Method = EXPLICIT) -> Callee:
-        """Return what the solver calls, for one of its methods.
-
-        A diagram with events takes one run at a time: eight lanes are slower than one there.
-        """
-        if lanes > 1 and (self.sweep.guarded or self.code.program.decided):
-            lanes = 1
-        callee = self.callees.get((lanes, method))
-        if callee is None:
-            callee = self.callees[lanes, method] = Callee(self, lanes, method)
-        return callee
 
     def lanes(self, count: int) -> int:
         """Return how many runs are taken at once: eight where it pays."""

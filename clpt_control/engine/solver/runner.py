@@ -1,14 +1,13 @@
 """A diagram that is ready to run, and the options of a run.
 
-Two engines have this interface: `python_runs.PythonDiagram` runs block by block in Python, and
-`native_diagram.NativeDiagram` runs machine code.  `run` reads its arguments; `solve` and `evaluate`
-take arrays that were read.
+One solver runs two engines: functions of a `native_diagram.NativeDiagram` are machine code, those
+of a `python_diagram.PythonDiagram` callbacks into Python.  `run` reads its arguments; `solve` and
+`evaluate` take arrays that were read.
 
 In discrete time x[k+1] = derivative(t_k, x[k], u_k), and the signals of sample k are those of x[k].
 The times are those that python-control takes: `dt` apart, or evenly spaced if dt is True.
 """
 
-from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 from copy import copy
 from dataclasses import dataclass
@@ -22,26 +21,44 @@ from ...base.arguments import numbers, vector_of
 from ...base.errors import SimulationError
 from ..codegen.diagram_record import Layout
 from ..diagram.wiring import Wiring, read_anew, wiring_of
-from ..methods import METHODS
+from ..methods import DISCRETE, EXPLICIT, IMPLICIT, METHODS, Method
+from .callee import Callee
 from .evaluation_pass import Sweep
 from .inputs import NO_INPUTS, Inputs, checked_times, read_inputs
-from .schedule import make_schedule
-from .termination import ADVICE, Solution
+from .legs import NativeRun
+from .schedule import Schedule, make_schedule
+from .solver_layout import JUMP, SIGNALS
+from .termination import ADVICE, Solution, without_states
 
 
-class Runner(ABC):
+class Runner:
     """A diagram ready to run.
 
-    `wiring` holds its blocks, and `sweep` evaluates them in Python.  States and signals are counted
-    in `nstates` and `nsignals`.  `layout` has the places of parameters in P; in Python these are
-    the requests of jumps alone.
+    Attributes
+    ----------
+    wiring : Wiring
+        Its blocks.
+    nstates, nsignals : int
+        Numbers of states and signals.
+    layout : Layout
+        Places of parameters in P.
+    code : Code or PythonCode
+        Its functions.
+    decided_at : int
+        Offset in P of the decisions, behind the tolerances.
+    callees : dict
+        Callees by lanes and method, with arrays of earlier runs.
     """
 
     engine: str
     most: int  # tries of a run
+    callee_type = Callee
+    slack = 0.0  # of samples of inputs that are one straight line, relative
     comparisons = 0  # runs of machine code that were compared with Python
-    ramps = False  # the inputs are straight lines behind `layout.P`
     hidden_state = ""  # a sentence on a function that has one
+    layout: Layout
+    code: Any
+    callees: dict[Any, Any]
 
     def __init__(self, diagram: control.NonlinearIOSystem | Wiring):
         if isinstance(diagram, Wiring):
@@ -52,8 +69,6 @@ class Runner(ABC):
         self.block_parameters: Sequence[Any] = self.wiring.parameters()
         self.nstates = self.sweep.nstates
         self.nsignals = len(self.sweep.signals)
-        jumps = {k: index for index, k in enumerate(self.sweep.jumping)}
-        self.layout = Layout(jumps=jumps)
         self.breaking = self.sweep.breaking
         self.resetting = self.sweep.resetting
 
@@ -73,13 +88,22 @@ class Runner(ABC):
         """The pass over the diagram in Python; machine code alone does without."""
         return Sweep(self.wiring, self.block_parameters)
 
-    # --- interface of the engines ---------------------------------------------------------
+    @property
+    def decided_at(self) -> int:
+        """Offset in P of the decisions, behind the tolerances."""
+        return self.layout.inputs(self.wiring.ninputs) + 2
 
-    @abstractmethod
-    def parameters(self) -> np.ndarray:
-        """Return P, the parameters as the schedule of a run counts them."""
+    def parameters(self, of_run: np.ndarray | None = None) -> np.ndarray:
+        """Return P, or that of a run in another form, with room for inputs and prepared numbers."""
+        own = self.layout.P
+        P = np.zeros(self.code.program.parameters)
+        P[: len(own)] = own if of_run is None else of_run[: len(own)]
+        return P
 
-    @abstractmethod
+    # --- calls of the solver --------------------------------------------------------------
+
+    schedule = make_schedule  # the segments of a run
+
     def solve(
         self,
         start: np.ndarray,
@@ -88,12 +112,41 @@ class Runner(ABC):
         options: "RunOptions",
     ) -> Solution:
         """Integrate from the first to the last of the times, as `run` does, without reading."""
+        if not self.nstates:
+            return without_states(self.sweep, times, inputs, self.engine)
+        segments, P = self.schedule(times, inputs), self.parameters()
+        if segments.begins:
+            (start,) = self.callee().evaluate(JUMP, times[:1], start, segments, P)
+        return NativeRun(self, start, P, times, segments, options).solution(inputs)
 
-    @abstractmethod
     def evaluate(self, solution: Solution, inputs: Inputs) -> np.ndarray:
         """Return all block outputs at a solution's times, finite or not."""
+        points = solution.t, solution.x, self.segments_of(solution, inputs)
+        return self.callee().evaluate(SIGNALS, *points, self.parameters())
 
-    schedule = make_schedule  # the segments of a run
+    def segments_of(self, solution: Solution, inputs: Inputs) -> Schedule:
+        """Return the segments of time of a run."""
+        return solution.pieces or self.schedule(solution.t, inputs)
+
+    def method_of(self, method: str) -> Method:
+        """Return the method of a run."""
+        return DISCRETE if self.wiring.dt else METHODS[method]
+
+    def implicit(self) -> Callee:
+        """Return what the solver calls for its implicit method."""
+        return self.callee(1, IMPLICIT)
+
+    def callee(self, lanes: int = 1, method: Method = EXPLICIT) -> Callee:
+        """Return what the solver calls, for one of its methods.
+
+        A diagram with events takes one run at a time: eight lanes are slower than one there.
+        """
+        if lanes > 1 and (self.sweep.guarded or self.code.program.decided):
+            lanes = 1
+        callee = self.callees.get((lanes, method))
+        if callee is None:
+            callee = self.callees[lanes, method] = self.callee_type(self, lanes, method)
+        return callee
 
     # --- runs -----------------------------------------------------------------------------
 

@@ -40,20 +40,18 @@ class Schedule(NamedTuple):
         return self._replace(values=values)
 
 
-def make_schedule(
-    diagram: Any, times: Any, inputs: Inputs = NO_INPUTS, least: float = 0.0
-) -> Schedule:
+def make_schedule(diagram: Any, times: Any, inputs: Inputs = NO_INPUTS) -> Schedule:
     """Return the segments of a run of a diagram.
 
-    Rates bend at kinks of inputs, in Python at sharp bends and those above `least`, and at rows of
-    tables over time; they jump where blocks do.  Behind each block's `interval` lies `JUMPS` in a
-    segment that begins with a jump of its states; then come, in machine code, the straight lines of
-    the inputs: time, values, slopes.  In discrete time each sample begins a segment.
+    Rates bend at kinks of inputs and at rows of tables over time; they jump where blocks do.
+    Behind each block's `interval` lies `JUMPS` in a segment that begins with a jump of its states;
+    then come the straight lines of the inputs: time, values, slopes.  In discrete time each sample
+    begins a segment.
     """
     wiring, layout = diagram.sweep.wiring, diagram.layout
     diagram.sweep.trigger(inputs)
     # 1. times at which segments begin, and at which rates jump
-    jumps, bends = _events_of_time(diagram, times, inputs, least)
+    jumps, bends = _events_of_time(diagram, times, inputs)
     starts = np.asarray(times, dtype=float)
     if not wiring.dt:
         t0, t1 = starts[0], starts[-1]
@@ -75,8 +73,8 @@ def make_schedule(
         changes = np.diff(_intervals(diagram.sweep, k, starts))
         jumping = JUMPS * (changes != 0)
         columns.append(np.append(request, jumping))
-    # 3. straight lines of the inputs of machine code
-    if diagram.ramps and inputs is not NO_INPUTS and wiring.ninputs:
+    # 3. straight lines of the inputs
+    if inputs is not NO_INPUTS and wiring.ninputs:
         sample_times, u = inputs.samples
         # the line from this sample on
         k = np.searchsorted(sample_times[1:], starts, side="right")
@@ -107,12 +105,10 @@ def make_schedule(
 
 
 def _events_of_time(
-    diagram: Any, times: Any, inputs: Inputs, least: float
+    diagram: Any, times: Any, inputs: Inputs
 ) -> tuple[ndarray, ndarray]:
     """Return the times at which blocks jump, and all times at which rates bend or jump."""
-    kinks = np.zeros(0)
-    if not diagram.sweep.wiring.dt:
-        kinks = inputs.kinks if diagram.ramps else inputs.sharp_bends(least)
+    kinks = np.zeros(0) if diagram.sweep.wiring.dt else inputs.kinks(diagram.slack)
     t0 = float(times[0])
     t1 = float(times[-1])
     run = t1 - t0

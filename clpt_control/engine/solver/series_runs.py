@@ -47,6 +47,8 @@ class SeriesCode:
 
     def __init__(self, diagram: Any, order: int, lanes: int):
         program = diagram.code.program
+        if diagram.engine == "python":
+            raise refused("runs in Python")
         if diagram.wiring.dt:
             raise refused("is in discrete time")
         if program.decided or program.guarded:

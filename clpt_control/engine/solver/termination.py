@@ -4,7 +4,6 @@ When a run meets a guard, or a number that is not finite, the blocks are evaluat
 the signal: the sentence names block, signal and time.
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -64,7 +63,13 @@ def ended(run: Any, solution: Solution, inputs: Inputs) -> Solution:
     if status == Status.GUARD_LEFT:
         t, x = stopped_at(last)
         sweep.enter(last.now)
-        return stopped_between(sweep, solution, t, x, inputs)
+        _, policy, sentence = sweep.margin(t, x[: sweep.nstates], inputs.at(t))
+        near = rounding(t, solution.t[-1] - solution.t[0])
+        times = solution.t[solution.t < t - near]
+        at_end = solution.t[abs(solution.t - t) <= near]  # a sample that is the end
+        end = at_end[0] if len(at_end) else t
+        states = np.array([*solution.x[: len(times)], x])
+        return stopped(solution, policy, sentence, np.append(times, end), states)
     reason = Status(status).sentence
     if status == Status.ACCUMULATING:
         reason = f"{', '.join(sweep.resetting)} {reason}"
@@ -74,23 +79,15 @@ def ended(run: Any, solution: Solution, inputs: Inputs) -> Solution:
     work = "run" if last.callee.method.discrete else "integration"
     error = SimulationError(f"the {work} stopped at t = {last.now:.9g}: {reason}")
     error.points = _points_of(last)
+    error.status, error.states = status, solution.x[: run.results.reached[0]]
     raise error
 
 
-def _points_of(batch: Batch) -> list[tuple[float, ndarray]]:
-    """Return time and state where a run stopped, and points ahead along the rates."""
-    t = batch.now
-    x = batch.states[STATE, :, 0].copy()
-    rate = batch.states[RATE, :, 0].copy()
-    is_map = batch.callee.method.discrete
-    return points_ahead(t, x, rate, 0.0 if is_map else batch.lane[SEGMENT_END, 0] - t)
-
-
 @np.errstate(all="ignore")  # times and rates may be as large as numbers go
-def points_ahead(
-    t: float, x: ndarray, rate: ndarray, span: float
-) -> list[tuple[float, ndarray]]:
-    """Return a time and a state, and points of the next span of time along the rates."""
+def _points_of(batch: Batch) -> list[tuple[float, ndarray]]:
+    """Return time and state where a run stopped, and points of the next span along the rates."""
+    t, (x, rate) = batch.now, batch.states[[STATE, RATE], :, 0]
+    span = 0.0 if batch.callee.method.discrete else batch.lane[SEGMENT_END, 0] - t
     steps = span * np.geomspace(1e-12, 1.0, 13) if span else ()
     return [(t, x), *((t + h, x + h * rate) for h in steps)]
 
@@ -103,57 +100,19 @@ def without_states(
 
     def guard(t: float) -> tuple[float, str, str]:
         sweep.enter(t)
-        u = inputs.at(t)
-        return sweep.margin(t, solution.x[0], u)
+        return sweep.margin(t, solution.x[0], inputs.at(t))
 
     for k, t in enumerate(times if sweep.guarded else ()):
         if guard(t)[0] >= 0.0:
             continue
-        end = edge(lambda time: guard(time)[0], times[max(k - 1, 0)], t)
-        reached = np.append(times[:k], end)
-        states = np.zeros((k + 1, 0))
-        _, policy, sentence = guard(end)
-        return stopped(solution, policy, sentence, reached, states)
+        low, high = times[max(k - 1, 0)], t
+        while low < (middle := 0.5 * (low + high)) < high:
+            is_inside = guard(middle)[0] >= 0.0
+            low, high = (middle, high) if is_inside else (low, middle)
+        _, policy, sentence = guard(high)
+        reached = np.append(times[:k], high)
+        return stopped(solution, policy, sentence, reached, np.zeros((k + 1, 0)))
     return solution
-
-
-def edge(margin: Callable[[float], float], low: float, high: float) -> float:
-    """Return the time between two at which a margin becomes negative, by bisection."""
-    while low < (middle := 0.5 * (low + high)) < high:
-        if margin(middle) >= 0.0:
-            low = middle
-        else:
-            high = middle
-    return high
-
-
-def in_discrete_time(
-    sweep: Sweep, x: ndarray, times: ndarray, inputs: Inputs, progress: Any
-) -> Solution:
-    """Return the solution of a diagram of discrete time in Python.
-
-    Outputs are computed beside each update, as python-control does: a function may read what
-    another one wrote.
-    """
-    states = np.empty((len(times), sweep.nstates))
-    signals = np.empty((len(times), len(sweep.signals)))
-    rows = inputs.along(times).T
-    for k, (t, u) in enumerate(zip(times, rows, strict=True)):
-        sweep.enter(t)
-        states[k] = x
-        x = sweep.derivative(t, x, u)
-        signals[k] = sweep.signals
-        if progress is not None:
-            progress(t)
-        if k + 1 < len(times) and not np.isfinite(x).all():
-            trouble = sweep.first_trouble(t, states[k], u, ADVICE)
-            reason = trouble or Status.NOT_FINITE.sentence
-            error = SimulationError(f"the run stopped at t = {t:.9g}: {reason}")
-            error.states = states[: k + 1]
-            raise error
-    steps = len(times) - 1
-    statistics = {"steps": steps, "evaluations": steps, "restarts": 0}
-    return Solution(times, states, statistics=statistics, signals=signals)
 
 
 def stopped(solution: Solution, policy: str, sentence: str, t: Any, x: Any) -> Solution:
@@ -199,18 +158,12 @@ def _trouble(sweep: Sweep, batch: Batch, inputs: Inputs) -> str | None:
         u = inputs.at(t)
         sweep.jump(t, finite[-1, : sweep.nstates], u, sweep.jumping)
     # 2. evaluate all blocks
-    trouble = trouble_at(sweep, points, inputs, advice)
-    return trouble or _derivative_trouble(sweep, batch, advice)
-
-
-def trouble_at(sweep: Sweep, points: Any, inputs: Inputs, advice: str) -> str | None:
-    """Return a sentence on the first value that is not finite at times and states, or None."""
     for time, state in points:
-        u = inputs.at(time)
-        trouble = sweep.first_trouble(time, state[: sweep.nstates], u, advice)
+        at = time, state[: sweep.nstates], inputs.at(time)
+        trouble = sweep.first_trouble(*at, advice)
         if trouble is not None:
             return trouble
-    return None
+    return _derivative_trouble(sweep, batch, advice)
 
 
 def _derivative_trouble(sweep: Sweep, batch: Batch, advice: str) -> str | None:
@@ -230,17 +183,3 @@ def stopped_at(batch: Batch, edge: int = HIGH) -> tuple[float, ndarray]:
     t = batch.now + share * float(batch.lane[TRIAL_SIZE, 0])
     n = batch.callee.nstates
     return t, np.array([interpolate(batch.states, i, 0, share) for i in range(n)])
-
-
-def stopped_between(
-    sweep: Sweep, solution: Solution, t: float, x: ndarray, inputs: Inputs
-) -> Solution:
-    """Return a solution up to the time and state at which a guard is left, or raise its error."""
-    state = x[: sweep.nstates]
-    _, policy, sentence = sweep.margin(t, state, inputs.at(t))
-    near = rounding(t, solution.t[-1] - solution.t[0])
-    times = solution.t[solution.t < t - near]
-    at_end = solution.t[abs(solution.t - t) <= near]  # a sample that is the end
-    end = at_end[0] if len(at_end) else t
-    states = np.array([*solution.x[: len(times)], x])
-    return stopped(solution, policy, sentence, np.append(times, end), states)

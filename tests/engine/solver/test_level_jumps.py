@@ -319,9 +319,6 @@ OUTSIDE = clpt.Block(
     guard=clpt.Guard(lambda t, x, u, p: x[0], "jump"),
 )
 REFUSED = {
-    "machine code alone": lambda: clpt.simulate(
-        ball(), T, None, [1, 0], engine="python"
-    ),
     "jump at this point": lambda: clpt.linearize(ball(), [0.0, 1.0]),
     "whose time varies": lambda: clpt.sensitivity(
         ball(), T, "states", ["ball.r"], None, [1, 0]

@@ -94,7 +94,7 @@ def test_a_run_goes_on_from_where_it_is_stiff():
 def test_a_loose_run_in_python_goes_on_from_where_it_is_stiff():
     runner = PythonDiagram(wired("x' = -1e5*(x - cos(t))"))
     found = runner.run([0.0], [0.0, 1.0], rtol=1e-4, atol=1e-6)
-    assert found.method == "LSODA"
+    assert found.method.endswith("LSODA")
     assert found.statistics["evaluations"] < 20_000
     assert found.x[-1, 0] == pytest.approx(np.cos(1.0), abs=1e-3)
 
@@ -326,7 +326,7 @@ def test_jumps_of_stiff_states(engine, method):
     block = ticking(rate, lambda t, x, u, p: 2.0 * x)
     times = np.array([0.0, 0.5, 1.0, 1.5, 2.0, 2.5])
     found = engine(block).run([1.0], times, rtol=1e-8, atol=1e-8, method=method)
-    assert ("Rodas5P" in found.method) == (engine is NativeDiagram)
+    assert "Rodas5P" in found.method
     at_jumps = np.array([1.0, 1.0, 2.0, 1.0, 2.0, 1.0])
     np.testing.assert_allclose(found.x[:, 0], at_jumps * np.cos(times), atol=1e-6)
 

@@ -31,7 +31,7 @@ def test_steps_and_dense_output_are_scipys(engine, tolerance):
         START,
         "DOP853",
         dense_output=True,
-        max_step=np.inf if engine is NativeDiagram else 9.0 / 256.0,
+        max_step=np.inf if engine is NativeDiagram else 9.0 / 51.2,
         **close,
     )
     assert (found.method, found.statistics["steps"]) == ("DOP853", len(theirs.t) - 1)
