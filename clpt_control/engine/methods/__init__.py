@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 FORMULAS = (
     *("attempt", "control", "sizes", "trial", "first"),
-    *("accept", "dense", "cubic", "stiffness"),
+    *("accept", "dense", "cubic", "within", "stiffness"),
 )
 
 

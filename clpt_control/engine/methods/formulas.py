@@ -38,6 +38,7 @@ from ..solver.solver_layout import (
     REJECTED,
     REJECTED_COUNT,
     SEGMENT_END,
+    SHARE,
     STAGE_TIME,
     STATE,
     STEP_SIZE,
@@ -47,6 +48,7 @@ from ..solver.solver_layout import (
     TRIAL_END,
     TRIAL_SIZE,
     TRIES_LEFT,
+    WITHIN,
     Status,
 )
 from ..trace.arrays import Tape, operand
@@ -113,7 +115,7 @@ def interpolant_terms(s: StepTape, *terms: Any) -> Rows:
     return dict(enumerate([*terms, *zeros], TERMS))
 
 
-def stage_time(s: StepTape, c: float) -> Rows:
+def stage_time(s: StepTape, c: Any) -> Rows:
     """Return the time of a stage, t + c h."""
     t = s.lane(TIME)
     h = s.lane(TRIAL_SIZE)
@@ -259,6 +261,17 @@ def dense_cubic(s: StepTape) -> New:
     return interpolant_terms(s, *cubic(s)), {}
 
 
+def within(s: StepTape) -> New:
+    """The state of the interpolant at a share of the step, as `interpolate` has it."""
+    share = s.lane(SHARE)
+    factors = [share, 1.0 - share]
+    state = s.z(TERMS + 6)
+    for r in range(6):
+        state = fmuladd(factors[r % 2], state, s.z(TERMS + 5 - r))
+    state = fmuladd(share, state, s.z(STATE))
+    return {WITHIN: state}, stage_time(s, share)
+
+
 # --- all formulas of a method ----------------------------------------------------------------
 
 
@@ -290,6 +303,7 @@ def in_order(
         accept,
         dense,
         dense_cubic,
+        within,
         stiffness,
         *stages,
     ]

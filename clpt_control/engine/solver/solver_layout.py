@@ -116,7 +116,8 @@ FALLS = (
 )
 FIRST_STEP = 32  # to try, or 0
 MAX_STEP = 33
-REALS = 34
+SHARE = 34  # of the step, at which a state within it is computed
+REALS = 35
 # Whole numbers of a lane, by index in `integers`
 RUN_INDEX = 0  # -1 without a run
 SEGMENT = 1
@@ -245,8 +246,9 @@ SOLVED, ADDEND, TIME_SLOPE, ROOM = 2, 10, 11, 12
 
 # Functions in `code`: those of the diagram, then the formulas of the method; stage s is STAGE + s
 DERIVATIVE, PREPARE, SIGNALS, JUMP, DECIDE = range(5)
-ATTEMPT, CONTROL, SIZES, TRIAL, FIRST, ACCEPT, DENSE, CUBIC, STIFFNESS = range(5, 14)
-STAGE = 13
+ATTEMPT, CONTROL, SIZES, TRIAL, FIRST = range(5, 10)
+ACCEPT, DENSE, CUBIC, STATE_WITHIN, STIFFNESS = range(10, 15)
+STAGE = 14
 
 SAMPLE_POINTS = 8  # of a step, without its beginning
 BEHIND = SAMPLE_POINTS + 1  # the sample point right behind an event
@@ -319,10 +321,8 @@ def interpolate(states, i, k, share):
 
 def put_state_within(solver, share):
     """Put time and state of lane 0 at a share of the step into `stage_time` and WITHIN."""
-    lane = solver.lane
-    lane[STAGE_TIME, 0] = lane[TIME, 0] + share * lane[TRIAL_SIZE, 0]
-    for i in range(solver.shape.states):
-        solver.states[WITHIN, i, 0] = interpolate(solver.states, i, 0, share)
+    solver.lane[SHARE, 0] = share
+    formula(solver, STATE_WITHIN)
 
 
 def retry(solver, k, step_size):
