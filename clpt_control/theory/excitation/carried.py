@@ -70,7 +70,7 @@ def norms(t, x, u, p):
 def watch_of(excitation: Any) -> list[Block]:
     """Return blocks for `export(..., watch=)` or `connect`, which carry Phi beside the loop.
 
-    Outputs are `factor_x1`, a bound of |Phi| from the start, and `worst_x1`, of the largest |Phi|
+    Outputs are `factor_x1`, a bound of ``|Phi|`` from the start, and `worst_x1`, of the largest
     in windows that have ended at multiples of the excitation's, 0 before; of a verdict, `factor`
     and `worst`.  The input `w` of a verdict is W, row by row.  Numbers are those of the excitation.
     """
@@ -112,11 +112,11 @@ def watch_of(excitation: Any) -> list[Block]:
 
 
 def transition_of(excitation: Any) -> Any:
-    """|Phi| along the run, a Dataset with `factor` and `window_factor` by time and axis.
+    """Norms of Phi along the run, a Dataset with `factor` and `window_factor` by time and axis.
 
-    Times are ends of windows like this one, one after another, and of the run. `factor` is |Phi|
+    Times are ends of windows like this one, one after another, and of the run. `factor` is the norm
     from the start of the run: the norm of its errors, the root of V, is at most `factor` times the
-    first, but for what a disturbance adds. `window_factor` is |Phi| of the window that ends.
+    first, but for what a disturbance adds. `window_factor` is that of the window that ends.
     """
     import xarray
 

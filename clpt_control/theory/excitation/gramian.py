@@ -322,9 +322,9 @@ def gramian(
         that the law learns within the run. The Gramian of a team is pooled, and `vehicles` has that
         of each vehicle by name. Gains that the law does not adapt are left out.
 
-        `transition` is a Dataset of |Phi| along the run: `factor`, from the start of the run, by
-        which its errors fall at least, but for what a disturbance adds, and `window_factor`, in
-        each window. `watch` has blocks that carry Phi beside a loop, with the same norms as
+        `transition` is a Dataset of norms of Phi along the run: `factor`, from the start of the
+        run, by which its errors fall at least, but for what a disturbance adds, and
+        `window_factor`, in each window. `watch` has blocks that carry Phi beside a loop, with the same norms as
         outputs, for `clpt.connect` and `clpt.export`.
 
     Raises
