@@ -61,10 +61,10 @@ def report_of(excitation: Any) -> dict[str, Any]:
     disturbance if ``disturbed``.  The root of V is at most ``overshoot``
     2^(-t/``half_life``) of the first if the window repeats; ``half_life`` is None if it is not
     excited.  All are None if the window cannot be certified; ``not_certified`` is the reason.
-    ``along_run`` has lists: by ``time`` and ``axis`` ``factor``, ``|Phi|``, of which the root of V is
-    at most so much of its first in the run, but for what a disturbance adds, and
-    ``window_factor``, ``|Phi|`` of the window that ends there, None for a shorter one.  It is empty
-    if Phi is not known.
+    ``along_run`` has lists: by ``time`` and ``axis`` ``factor``, ``|Phi|``, of which the root of V
+    is at most so much of its first in the run, but for what a disturbance adds, and
+    ``window_factor``, ``|Phi|`` of the window that ends there, None for a shorter one.  It is
+    empty if Phi is not known.
 
     A recorded run has an ``accuracy``: the largest relative change of an eigenvalue if every
     second sample is left out; None if the change is large.  It does not show what changes between

@@ -324,8 +324,8 @@ def gramian(
 
         `transition` is a Dataset of norms of Phi along the run: `factor`, from the start of the
         run, by which its errors fall at least, but for what a disturbance adds, and
-        `window_factor`, in each window. `watch` has blocks that carry Phi beside a loop, with the same norms as
-        outputs, for `clpt.connect` and `clpt.export`.
+        `window_factor`, in each window. `watch` has blocks that carry Phi beside a loop, with the
+        same norms as outputs, for `clpt.connect` and `clpt.export`.
 
     Raises
     ------
