@@ -87,7 +87,7 @@ def own_currents(
     time, *water = logged(of, *WATER)
     currents = np.column_stack([[nan, nan], turned(water, east_of_north)])
     last = currents[:, np.searchsorted(time, end - SHORT, "right")]
-    known = np.searchsorted(time, dived, "right")
+    known = int(np.searchsorted(time, dived, "right"))
     if known and time[known - 1] < dived - LONGEST_WAIT:
         known = 0  # it is that of an earlier dive
     after = currents[:, 1:][:, (time > end - SHORT) & (time <= end + OWN_CURRENT)]
