@@ -324,13 +324,13 @@ def hole_under_water(
     `LONGEST_WAIT`.  Else there may be a dive between them.  A depth that is not known counts as
     deep.
 
-    >>> since = np.array([50.0, 400.0, 800.0])
+    >>> since = np.array([50.0, 400.0, 590.0])
     >>> hole_under_water(since, (since, np.array([1.0, 90.0, 3.0])), 4000.0, 600.0)
     ('', False)
     >>> hole_under_water(since, (since, np.array([1.0, 40.0, 90.0])), 4000.0, 600.0)
-    ('no samples for 3200 s of 4000 s, from 90 m depth on', True)
+    ('no samples for 3410 s of 4000 s, from 90 m depth on', True)
     >>> hole_under_water(since, (since, np.array([1.0, 90.0, 12.0])), 4000.0, 600.0)
-    ('no samples for 3200 s of 4000 s', True)
+    ('no samples for 3410 s of 4000 s', True)
     """
     is_known = np.isfinite(depths[1])
     ends = np.array([0.0, duration])
