@@ -324,7 +324,7 @@ def hole_under_water(
     `LONGEST_WAIT`.  Else there may be a dive between them.  A depth that is not known counts as
     deep.
 
-    >>> since = np.array([50.0, 400.0, 590.0])
+    >>> since = np.array([220.0, 400.0, 590.0])
     >>> hole_under_water(since, (since, np.array([1.0, 90.0, 3.0])), 4000.0, 600.0)
     ('', False)
     >>> hole_under_water(since, (since, np.array([1.0, 40.0, 90.0])), 4000.0, 600.0)
