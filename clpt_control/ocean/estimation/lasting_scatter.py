@@ -34,6 +34,7 @@ from .leg_track import Regression
 
 FADING = 0.97  # of the weight of a position error, at the next one
 LEAST = 1e-300
+INSTANT = 1e-9  # duration of a leg without one
 
 
 class Known(NamedTuple):
@@ -104,7 +105,8 @@ class Scatter(NamedTuple):
         self, leg: Regression, known: Known, y: np.ndarray | float
     ) -> "Expected":
         """Return what each kind expects of a leg with a position error y."""
-        T, bend, left, a = leg.duration, leg.bend**2, known.left, leg.m / leg.duration
+        T = max(leg.duration, INSTANT)
+        bend, left, a = leg.bend**2, known.left, leg.m / T
         now, last = a @ known.axes, self.a @ known.axes
         theta, before, both = left @ now**2, left @ last**2, left @ (now * last)
         fixes, scatter = self.factors * leg.noise[:, None, None]

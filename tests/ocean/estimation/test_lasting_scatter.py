@@ -1,6 +1,7 @@
 """Seas whose scatter lasts longer than a leg: standard errors and forecasts."""
 
 import numpy as np
+import pytest
 from geodesics import place_from
 
 import clpt_control as clpt
@@ -88,3 +89,14 @@ def test_the_state_of_a_scatter_that_lasts_is_saved_to_the_last_bit(tmp_path):
     assert loaded.forecast(plan) == estimator.forecast(plan)
     after = [one.fix(time, 0.03, 0.02) for one in (loaded, estimator)]
     np.testing.assert_array_equal(after[0].standard_error, after[1].standard_error)
+
+
+def test_a_forecast_at_a_fix_is_the_fix():
+    """Its region holds two errors of a fix (25 m): at most 90 % of a heavy-tailed pair."""
+    draw = np.random.default_rng(5)
+    estimator, _ = learned(np.tile([0.1, 0.0], (12, 1)), draw)
+    before = estimator.forecast([])
+    estimator.fix(1.7e9 + 12 * SPAN, before.latitude, before.longitude)
+    ahead = estimator.forecast([])
+    assert ahead[1:3] == pytest.approx((before.latitude, before.longitude), abs=1e-4)
+    assert 5.0 < ahead.radius < 200.0
