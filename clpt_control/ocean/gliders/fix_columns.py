@@ -38,13 +38,15 @@ class Marks(NamedTuple):
 
 GPS = "(gps|gnss|nav|rmc|fix|position|pos|location)_?"
 PLACE = "(lat(itude)?|lon(g|gitude)?|position|pos|location|gps|gnss|fix|time)"
-RECKONED = "dr|dead.?reckon.*|estimated"
+# words of any of these columns
+MEASURED = "valid|ok|good|fix|g(ps|nss).*"
+COMPUTED = "dr|dead.?reckon.*|estimated|interpolated|ins|imu|bad|invalid|none|no.?(fix|gps)|void"
 QC = "(qc|quality_?control|quality(_?flag)?|flags?|qartod)"
 MARKS = (
     Marks(
         f"(is_?|has_?|valid_?)?fix|({GPS})?(fix|valid|ok)|is_?(gps|measured)",
-        "1|true|t|yes|y|a|valid|ok|gps|fix",
-        "|0|false|f|no|n|v|invalid|none|no.?fix|void",
+        f"1|true|t|yes|y|a|{MEASURED}",
+        f"|0|false|f|no|n|v|{COMPUTED}",
     ),
     Marks(
         r"(is_?)?(dead_?reckon(ing|ed)|dr_?flag|dr|interpolated|estimated|reckoned)(_flag)?",
@@ -53,20 +55,20 @@ MARKS = (
     ),
     Marks(
         f"({GPS})?fix(_?(type|mode))?|{GPS}(type|mode|source)",
-        "[2-8]|2d|3d|d?gps.*|rtk.*|ppp|static",
-        f"[01]|none|no.?(fix|gps)|ins|imu|{RECKONED}",
+        f"[2-8]|2d|3d|dgps.*|rtk.*|ppp|static|{MEASURED}",
+        f"[01]|{COMPUTED}",
     ),
     Marks(f"{GPS}(quality|qual|indicator)|gga_?quality", "[1-59]", "[0678]"),
     Marks(
         f"({GPS})?status|{GPS}mode|mode_indicator",
-        "[adprf]|valid|active|ok|fix",
-        f"[vemns]|void|invalid|{RECKONED}",
+        f"[adprf]|active|{MEASURED}",
+        f"[vemns]|{COMPUTED}",
     ),
     Marks(r"status\.status", "[0-2]", "-1"),
     Marks(
         f"{PLACE}_?{QC}|{QC}_{PLACE}|qartod_{PLACE}.*|{PLACE}_qartod.*",
-        "[012567]|good",
-        f"[3489]|bad|interpolated|{RECKONED}",
+        f"[012567]|{MEASURED}",
+        f"[3489]|{COMPUTED}",
     ),
     Marks(
         f"({GPS})?(n|num|n(umber|o)_?of)?_?(sats?|satellites|sv)(_?(used|in_use|visible))?|numsv",

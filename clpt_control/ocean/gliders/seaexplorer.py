@@ -153,9 +153,9 @@ def _variation(log: pandas.DataFrame, start: Fix, end: Fix) -> tuple[float, list
     is_stated = isfinite(stated)
     if is_stated and not abs(stated - igrf) > ANOTHER:
         return stated, []
-    said = f"{stated:.0f} degrees" if is_stated else "0 or empty"
+    said = f"{stated:.3g}, though it is" if is_stated else "0 or empty:"
     return stated if is_stated else igrf, [
-        f"Declination is {said}: {igrf:.0f} degrees by IGRF (--variation gives another)"
+        f"Declination is {said} {igrf:.0f} degrees by IGRF (--variation gives another)"
     ]
 
 

@@ -55,6 +55,12 @@ MARKS = [
     ("status", "fix", "dead reckoning"),
     ("Position QC", "good", "interpolated"),
     ("position_qc", "good", "bad"),
+    ("position_qc", "OK", "interpolated"),
+    ("position_source", "fix", "Dead-Reckoning"),
+    ("position_source", "GNSS", "INS"),
+    ("status", "GPS", "INS"),
+    ("status", "GPS fix", "no fix"),
+    ("fix_status", "good", "bad"),
 ]
 
 
