@@ -42,3 +42,17 @@ def kernels(scenario, t, points):
     d = np.linalg.norm(points[:, None] - np.array(basis.centers), axis=-1)
     turns = np.cos(2 * np.pi * t / np.array(basis.periods))
     return np.exp(-d / (2 * np.array(basis.widths))) * turns
+
+
+def uniform_flow(law="fix-regression", **settings):
+    """A scenario in km and h of one function that is the same everywhere, for fixes."""
+    return clpt.Scenario(
+        basis={
+            "kernel": "gaussian",
+            "centers": [[0, 0]],
+            "widths": [1e5],
+            "constituents": ["steady"],
+        },
+        units={"length": "km", "time": "h"},
+        learning={"law": law} | ({"fix_regression": settings} if settings else {}),
+    )

@@ -3,23 +3,11 @@
 import numpy as np
 import pytest
 from geodesics import place_from
+from small_scenarios import uniform_flow
 
 import clpt_control as clpt
 
 SPAN, SCATTER, FIX = 600.0, 0.02, 5.0  # s, m/s, m
-
-
-def scenario(**settings):
-    return clpt.Scenario(
-        basis={
-            "kernel": "gaussian",
-            "centers": [[0, 0]],
-            "widths": [1e5],
-            "constituents": ["steady"],
-        },
-        units={"length": "km", "time": "h"},
-        learning={"law": "fix-regression", "fix_regression": settings},
-    )
 
 
 def fixes_of(draw, drifts):
@@ -35,7 +23,7 @@ def fixes_of(draw, drifts):
 def learned(drifts, draw, **settings):
     """Return the estimator, and errors and radii of its forecasts."""
     estimator, time, forecasts = (
-        clpt.currents.FlowEstimator(scenario(**settings)),
+        clpt.currents.FlowEstimator(uniform_flow(**settings)),
         1.7e9,
         [],
     )

@@ -5,23 +5,11 @@ from math import cos, radians, sin
 import numpy as np
 import pytest
 from geodesics import place_from
+from small_scenarios import uniform_flow
 
 import clpt_control as clpt
 
 FLOW = (-0.12, 0.2)  # m/s to the east and to the north, everywhere
-
-
-def scenario(law="fix-regression"):
-    return clpt.Scenario(
-        basis={
-            "kernel": "gaussian",
-            "centers": [[0, 0]],
-            "widths": [1e5],
-            "constituents": ["steady"],
-        },
-        units={"length": "km", "time": "h"},
-        learning={"law": law},
-    )
 
 
 def carried(latitude, longitude, course, seconds):
@@ -36,7 +24,7 @@ def carried(latitude, longitude, course, seconds):
     ("latitude", "courses", "hours"), [(68.0, [250.0], 18), (-74.0, [90.0, 60.0], 24)]
 )
 def test_a_course_on_a_long_leg_keeps_the_guarantee(latitude, courses, hours):
-    learner = clpt.currents.FlowEstimator(scenario())
+    learner = clpt.currents.FlowEstimator(uniform_flow())
     noise = np.random.default_rng(2).normal(0, 5, (10, 2))
     position, time = (latitude, 30.0), 1.7e9
     for leg, error in enumerate(noise):
@@ -66,7 +54,7 @@ def test_functions_that_are_the_same_everywhere_have_local_axes(
     lines = [",".join(map(str, row)) for row in rows]
     (tmp_path / "legs.csv").write_text("\n".join([head, *lines]))
     legs, _ = clpt.gliders.read_dives(tmp_path / "legs.csv")
-    learned = clpt.currents.flow_estimate(legs, scenario(), method=method)
+    learned = clpt.currents.flow_estimate(legs, uniform_flow(), method=method)
     theta = learned.flow_parameters_estimate.values[-1][:, 0]
     np.testing.assert_allclose(theta, FLOW, atol=0.003)
     error = learned.standard_error.values[-1][0]
@@ -86,7 +74,7 @@ def test_fixes_at_the_surface_widen_no_region_and_narrow_none(law):
     inside = []
     for seed in range(3):
         random = np.random.default_rng(seed)
-        learner = clpt.currents.FlowEstimator(scenario(law))
+        learner = clpt.currents.FlowEstimator(uniform_flow(law))
         position, time = (50.0, -20.0), 1.7e9
         for dive in range(14):
             error = random.normal(0, 10, 2)
