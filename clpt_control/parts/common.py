@@ -3,9 +3,10 @@
 Parameters are numbers, ports may have other names, and time is continuous or discrete.
 """
 
+import sys
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial, update_wrapper
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -128,14 +129,24 @@ def check_positive(name: str, *, or_zero: bool = False, **values: Any) -> None:
 
 def positive(*keys: str, or_zero: bool = False) -> Rule:
     """Return a rule that refuses parameters that are not positive."""
-    return partial(_positive, keys, or_zero)
+    return Positive(keys, or_zero)
 
 
-def _positive(
-    keys: Sequence[str], or_zero: bool, name: str, values: Mapping[str, Any]
-) -> None:
-    given = {key: values[key] for key in keys if key in values}
-    check_positive(name, or_zero=or_zero, **given)
+class Positive(NamedTuple):
+    """Rule that refuses parameters that are not positive."""
+
+    keys: Sequence[str]
+    or_zero: bool
+
+    def __call__(self, name: str, values: Mapping[str, Any]) -> None:
+        """Check the values of a named block."""
+        given = {key: values[key] for key in self.keys if key in values}
+        check_positive(name, or_zero=self.or_zero, **given)
+
+    @property
+    def least(self) -> dict[str, float]:
+        """The least value that each parameter may have."""
+        return dict.fromkeys(self.keys, 0.0 if self.or_zero else sys.float_info.min)
 
 
 def ordered(below: str, above: str, is_below: Any = np.less) -> Rule:

@@ -2,7 +2,8 @@
 
 The FMU has the C file of `c_file` with the functions of FMI 3.0 for model exchange (`fmi3.c`):
 the importer integrates, and stops at samples and jumps.  If this machine has a C compiler, the FMU
-also has the compiled library.
+also has the compiled library.  Variables have the units that blocks declare, and the ends that the
+rules of parts set; an importer without settings of its own integrates to the tolerance `ACCURATE`.
 
 Source: Modelica Association (2022), Functional Mock-up Interface 3.0.
 """
@@ -15,11 +16,14 @@ from collections.abc import Iterator
 from string import Template
 from xml.sax.saxutils import quoteattr
 
-from ..base.errors import DiagramError
+from ..base.errors import BlockError, DiagramError
 from ..base.html import asset, plain
 from ..base.progress import note
 from ..engine.codegen.c_library import ENDINGS, compiled
+from ..engine.diagram.wiring import state_units
+from ..engine.model.declaration import powers
 from .c_export import FIXED, CFile, as_lines, refuse_levels
+from .diagram_runs import signal_units
 
 FUNCTIONS = asset("fmi3.c")
 DESCRIPTION, BUILD = asset("fmi3.xml").split("<!-- sources/buildDescription.xml -->\n")
@@ -44,6 +48,8 @@ STRUCTURE = {  # elements of ModelStructure, and the kinds that they list
     "ContinuousStateDerivative": ("rate",),
     "InitialUnknown": ("output", "rate"),
 }
+ACCURATE = "1e-10"  # importers' integrators lose three digits of a swing at 1e-8
+BASE_UNITS = {"kg", "m", "s", "A", "K", "mol", "cd"}
 # time stamp of the files: equal diagrams give equal bytes
 TIME_STAMP = (1980, 1, 1, 0, 0, 0)
 
@@ -67,7 +73,7 @@ def fmu(file: CFile) -> bytes:
     token = hashlib.sha256(text.encode()).hexdigest()[:32]
     text += _fmi_functions(file, token)
     title = quoteattr(_xml_name(file.run.name))
-    fields = {"name": file.name, "token": token, "title": title}
+    fields = {"name": file.name, "token": token, "title": title, "tolerance": ACCURATE}
     description = Template(DESCRIPTION).substitute(fields, **_variables(file))
     contents: dict[str, str | bytes] = {
         "modelDescription.xml": description,
@@ -122,6 +128,7 @@ def _variables(file: CFile) -> dict[str, str]:
     lines = []
     kinds = []
     names = set()
+    units = {}
     for reference, (kind, label, extra) in enumerate(_rows(file)):
         name = _xml_name(label)
         while name in names:
@@ -129,7 +136,9 @@ def _variables(file: CFile) -> dict[str, str]:
         names.add(name)
         kinds.append(kind)
         attributes = {"name": name, "valueReference": str(reference), **KINDS[kind]}
-        attributes |= extra
+        attributes |= {key: text for key, text in extra.items() if text}
+        if unit := attributes.get("unit"):
+            units[unit] = _unit_definition(unit)
         pairs = [f"{key}={quoteattr(value)}" for key, value in attributes.items()]
         lines.append(f"    <Float64 {' '.join(pairs)}/>")
     structure = [
@@ -138,24 +147,64 @@ def _variables(file: CFile) -> dict[str, str]:
         for reference, kind in enumerate(kinds)
         if kind in listed_kinds
     ]
-    return {"variables": "\n".join(lines), "structure": "\n".join(structure)}
+    definitions = "".join(units.values())
+    if units:
+        definitions = f"  <UnitDefinitions>\n{definitions}  </UnitDefinitions>\n"
+    return {
+        "units": definitions,
+        "variables": "\n".join(lines),
+        "structure": "\n".join(structure),
+    }
+
+
+def _unit_definition(unit: str) -> str:
+    """Return the element of a unit, with its powers of base units where it is a product of them."""
+    try:
+        base = powers(unit)
+    except BlockError:
+        base = {"": 1}
+    pairs = "".join(f' {symbol}="{power}"' for symbol, power in base.items())
+    is_known = base.keys() <= BASE_UNITS and "rad" not in unit
+    content = f"<BaseUnit{pairs}/>" if is_known else ""
+    return f"    <Unit name={quoteattr(unit)}>{content}</Unit>\n"
 
 
 def _rows(file: CFile) -> Iterator[tuple[str, str, dict[str, str]]]:
     """Yield kind, name and further attributes of each variable, by value reference."""
+    states = zip(file.labels["x"], file.start, state_units(file.wiring), strict=True)
+    signals = signal_units(file.wiring)
+    count = len(file.labels["y"])
     yield "time", "time", {}
-    for label, start in zip(file.labels["x"], file.start, strict=True):
-        yield "state", f"state.{label}", {"start": repr(float(start))}
+    for label, start, unit in states:
+        yield "state", f"state.{label}", {"start": repr(float(start)), "unit": unit}
     for k, label in enumerate(file.labels["x"]):
         yield "rate", f"der(state.{label})", {"derivative": f"{1 + k}"}
-    for label in file.labels["u"]:
-        yield "input", label, {"start": "0.0"}
-    for label in file.labels["y"]:
-        yield "output", label, {}
+    for label, unit in zip(file.labels["u"], signals[count:], strict=True):
+        yield "input", label, {"start": "0.0", "unit": unit}
+    for label, unit in zip(file.labels["y"], signals[:count], strict=True):
+        yield "output", label, {"unit": unit}
+    declared = _declared_of_parameters(file)
     for label, value in zip(*file.parameter_values(), strict=True):
         kind = "constant" if FIXED in label else "parameter"
+        name = label.replace(FIXED, "")
         start = repr(float(value)).replace("inf", "INF")  # XML's infinity
-        yield kind, label.replace(FIXED, ""), {"start": start}
+        yield kind, name, {"start": start, **declared[name.partition("[")[0]]}
+
+
+def _declared_of_parameters(file: CFile) -> dict[str, dict[str, str]]:
+    """Return the unit and the least value, where there is one, of "block.parameter"."""
+    declared = {}
+    for node in file.wiring.nodes:
+        least = {
+            name: repr(end)
+            for rule in getattr(node.system, "rules", ())
+            for name, end in getattr(rule, "least", {}).items()
+        }
+        for name in node.system.parameters._fields:
+            unit = node.system.units.get(name, "")
+            attributes = {"unit": unit, "min": least.get(name, "")}
+            declared[f"{node.name}.{name}"] = attributes
+    return declared
 
 
 def _xml_name(text: str) -> str:
