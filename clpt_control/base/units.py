@@ -20,11 +20,14 @@ SECONDS = {
     "ns": 1e-9,
 }
 DEGREES = {"latitude": "degrees_north", "longitude": "degrees_east"}  # of CF
+CF_DEGREES = {"degrees_north": "°N", "degrees_east": "°E"}
 KNOT = 1852.0 / 3600.0  # m/s
 SPEED = re.compile(  # m/s, m per s, m s-1, m.s-1, m s^-1, m s**-1
     r"\s*(\w+)(?:\s*/\s*|\s+per\s+)(\w+)\s*|\s*(\w+)[\s.]+([a-z]+)\s*(?:\^|\*\*)?-1\s*",
     re.IGNORECASE,
 )
+FACTOR = re.compile(r"([^\W\d_]+)(?:\^|\*\*)?(-?\d+)?")  # of a unit, and its power
+RAISED = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 UNITS = ("meter", "metre", "second")
 PREFIXES = {"": "", "kilo": "k", "centi": "c", "milli": "m", "micro": "u", "nano": "n"}
 WORDS = {  # also in the plural
@@ -93,6 +96,28 @@ def at_least(bound: float, digits: int = 4) -> str:
     ('0.0892', '0.01', '-0.34')
     """
     return at_most(bound, digits, ROUND_FLOOR)
+
+
+def printed_unit(unit: str) -> str:
+    """Return a unit as figures and tables print it: raised powers, CF's products as quotients.
+
+    >>> [printed_unit(unit) for unit in ("m s-1", "1/s2", "m s-2", "s-1", "kg m**2/s", "%")]
+    ['m/s', '1/s²', 'm/s²', '1/s', 'kg m²/s', '%']
+    """
+    for name, symbol in CF_DEGREES.items():
+        unit = unit.replace(name, symbol)
+    factors = [FACTOR.fullmatch(word) for word in unit.split()]
+    if None in factors:  # no product
+        return FACTOR.sub(lambda one: _raised(one[1], one[2]), unit)
+    above = [_raised(*one.groups()) for one in factors if one and "-" not in one[0]]
+    below = [_raised(*one.groups()) for one in factors if one and "-" in one[0]]
+    divisor = " ".join(below) if len(below) < 2 else f"({' '.join(below)})"
+    return "/".join([" ".join(above) or "1" * bool(below), *[divisor][: len(below)]])
+
+
+def _raised(symbol: str, power: str | None) -> str:
+    size = (power or "1").lstrip("-")
+    return symbol + ("" if size == "1" else size.translate(RAISED))
 
 
 def short_unit(word: str) -> str:

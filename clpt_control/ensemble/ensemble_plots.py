@@ -4,12 +4,16 @@ Of a scenario the percentiles are those of CLPE in each cycle and of what was le
 those of its outputs over time.  A diagram without trajectories has the rms of each output, one
 number for each member, drawn over the numbers that vary:
 
-    the first    along x
-    the second   in colours with a legend, or along y of a map where both have more than 8 values
-    the third    in panels side by side
-    others       held at their first value, which the title names
+    the one of most values   along x
+    the second               in colours with a legend, or along y of a map where both have more
+                             than 8 values
+    the third                in panels side by side
+    others                   held at their first value, which the title names
 
-A number of more values than colours or panels is along x, or not drawn apart: the title says so.
+The colours of a map end at 2 and 98 % of the numbers, so that one member that diverged leaves the
+others their colours.  Positive numbers of several sizes have logarithmic ones.
+
+A number of more values than panels is not drawn apart: the title says so.
 """
 
 import json
@@ -28,7 +32,7 @@ from ..base.figures import (
     line_style,
     literal,
 )
-from ..simulation.comparison import named, panels_for, with_unit
+from ..simulation.comparison import label_of, panels_for
 from .ensemble_statistics import (
     ENSEMBLE,
     by_member,
@@ -37,7 +41,6 @@ from .ensemble_statistics import (
     percentiles_of,
     rms_of,
     summaries_of,
-    unit_of,
 )
 
 if TYPE_CHECKING:
@@ -45,6 +48,8 @@ if TYPE_CHECKING:
 
 MOST_COLOURS = 8
 MOST_PANELS = 4
+COLOURED = 0.02, 0.98  # quantiles at the ends of the colours
+WIDE = 30.0  # largest number on linear colours, relative to the median
 
 
 @public
@@ -73,7 +78,7 @@ def ensemble_plot(data: "xarray.Dataset", *, ax: Any = None) -> np.ndarray:
     for panel, (label, values) in zip(panels, curves.items(), strict=True):
         x = values[values.dims[1]]
         _draw_bands(panel, x, percentiles_of(values))
-        panel.set_ylabel(literal(named(label, unit_of(values))))
+        panel.set_ylabel(literal(label_of(label, values)))
         if panel is panels[-1] or not of_diagram:
             panel.set_xlabel(_axis_of(x))
     panels[0].set_title(_members(data), **TITLE)
@@ -85,7 +90,7 @@ def ensemble_plot(data: "xarray.Dataset", *, ax: Any = None) -> np.ndarray:
 def _axis_of(values: "xarray.DataArray") -> str:
     """Return name and unit of values, for an axis."""
     name = values.attrs.get("long_name", str(values.name))
-    return literal(with_unit(name, values))
+    return literal(label_of(name, values))
 
 
 def _members(data: "xarray.Dataset") -> str:
@@ -126,15 +131,13 @@ def _sweep_plot(data: "xarray.Dataset", ax: Any) -> np.ndarray:
         {name: one.values for name, one in (varied | shown).items()}
     )
     title = _members(data)
-    for name in [*varied][3:]:
+    counts = rows[[*varied]].nunique().sort_values(ascending=False, kind="stable")
+    for name in counts.index[3:]:
         value = rows[name].iloc[0]
         rows = rows[rows[name] == value]
         title += f", {len(rows)} of them with {_equation(name, value)}"
-    x, *others = [*varied][:3]
-    counts = rows.nunique()
-    is_map = bool(others) and min(counts[x], counts[others[0]]) > MOST_COLOURS
-    if others and not is_map and counts[others[0]] > MOST_COLOURS:
-        x, others[0] = others[0], x
+    x, *others = counts.index[:3]
+    is_map = bool(others) and counts[others[0]] > MOST_COLOURS
     columns = [("", rows)]
     if third := others[1:]:
         if counts[third[0]] > MOST_PANELS:
@@ -150,9 +153,8 @@ def _sweep_plot(data: "xarray.Dataset", ax: Any) -> np.ndarray:
     )
     panels = np.reshape(axes, (len(shown), len(columns)))
     for (label, values), in_row in zip(shown.items(), panels, strict=True):
-        name = literal(named(label, unit_of(values)))
-        low, high = rows[label].min(), rows[label].max()
-        limits = {"vmin": low, "vmax": high, "cmap": "cividis"}
+        name = literal(label_of(label, values))
+        limits = {"norm": _colours_of(rows[label]), "cmap": "cividis"}
         for (_, part), panel in zip(columns, in_row, strict=True):
             if is_map:
                 colours = _draw_map(panel, part, x, others[0], label, limits)
@@ -160,7 +162,8 @@ def _sweep_plot(data: "xarray.Dataset", ax: Any) -> np.ndarray:
                 _draw_lines(panel, part, x, label, others[:1])
         in_row[0].set_ylabel(_axis_of(varied[others[0]]) if is_map else name)
         if is_map:
-            in_row[0].figure.colorbar(colours, ax=in_row.tolist(), label=name)
+            bar = {"ax": in_row.tolist(), "label": name, "extend": "both"}
+            in_row[0].figure.colorbar(colours, **bar)
     for (equation, _), top, below in zip(columns, panels[0], panels[-1], strict=True):
         top.set_title(f"{title}\n{equation}".strip(), **TITLE)
         title = ""
@@ -172,6 +175,15 @@ def _sweep_plot(data: "xarray.Dataset", ax: Any) -> np.ndarray:
         beside = {"loc": "upper left", "bbox_to_anchor": (1.0, 1.0)}
         panels[0, -1].legend(frameon=False, fontsize=8, **beside)
     return axes
+
+
+def _colours_of(values: pandas.Series) -> Any:
+    """Return a scale of colours, logarithmic for positive numbers of several sizes."""
+    from matplotlib.colors import LogNorm, Normalize
+
+    low, middle, high = values.quantile([COLOURED[0], 0.5, COLOURED[1]])
+    is_wide = low > 0 and high > WIDE * middle
+    return (LogNorm if is_wide else Normalize)(low, high)
 
 
 def _draw_map(

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..base.arguments import check_holds, public
-from ..simulation.comparison import labelled_elements, named
+from ..simulation.comparison import label_of, labelled_elements
 from .results import COMPLETED, STATUS
 
 if TYPE_CHECKING:
@@ -58,7 +58,7 @@ def ensemble_summary(data: "xarray.Dataset") -> dict[str, Any]:
         "first_failed": int(failed[0]) if len(failed) else None,
         "percents": list(PERCENTS),
         "summaries": {
-            named(label, unit_of(one)): _listed(percentiles_of(one)[:, 0])
+            label_of(label, one): _listed(percentiles_of(one)[:, 0])
             for label, one in summaries_of(data).items()
         },
     }
@@ -118,12 +118,6 @@ def _elements(array: "xarray.DataArray") -> "Iterator[tuple[str, xarray.DataArra
     """Yield the label and the values of each number of an array: ``e[0]``, ``e cycle 1``."""
     for label, index in labelled_elements(array, "member", "time"):
         yield label, array.isel(index)
-
-
-def unit_of(values: "xarray.DataArray") -> str:
-    """Return CF units in the form m/s, instead of m s-1."""
-    length, _, per = values.attrs.get("units", "").rpartition(" ")
-    return f"{length or '1'}/{per.removesuffix('-1')}" if per.endswith("-1") else per
 
 
 def _listed(column: np.ndarray) -> list[float] | None:

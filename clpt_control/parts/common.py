@@ -5,8 +5,9 @@ Parameters are numbers, ports may have other names, and time is continuous or di
 
 import sys
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from functools import partial, update_wrapper
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -132,7 +133,8 @@ def positive(*keys: str, or_zero: bool = False) -> Rule:
     return Positive(keys, or_zero)
 
 
-class Positive(NamedTuple):
+@dataclass(frozen=True)
+class Positive:
     """Rule that refuses parameters that are not positive."""
 
     keys: Sequence[str]

@@ -22,6 +22,7 @@ from ..base.figures import (
 )
 from ..base.labelled import unit_of
 from ..base.run_attributes import LABELS
+from ..base.units import printed_unit
 from ..engine.model.ports import ports_of
 from .dataset_template import INDEX
 from .run_plots import clpe_plot, learning_plot, run_plot
@@ -43,7 +44,7 @@ def response_plot(
     label: str | None = None,
     color: str | None = None,
 ) -> Any:
-    """Draw each port of a diagram's run over time, but constant inputs.
+    """Draw each port of a diagram's run over time, but inputs of 0.
 
     >>> import clpt_control as clpt
     >>> loop = clpt.closed_loop(clpt.paper_scenario())
@@ -51,13 +52,13 @@ def response_plot(
     >>> x, e = response_plot(run[["position", "clpe"]])
     """
     check_samples(run)
-    ports = changing_ports(run)
+    ports = shown_ports(run)
     axes = panels_for(ax, len(ports), f"run[{ports[:2]}]")
     panels = np.ravel(axes)
     with run_style(axes, label, color):
         for panel, port in zip(panels, ports, strict=True):
             _draw_port(panel, run, port)
-    panels[-1].set_xlabel(literal(with_unit("time", run.time)))
+    panels[-1].set_xlabel(literal(label_of("time", run.time)))
     return axes
 
 
@@ -79,10 +80,11 @@ def signals_plot(
     color: str | None = None,
     plots: Sequence[str] = (),
 ) -> Any:
-    """Draw signals and states of a run by name, on one Axes.
+    """Draw signals and states of a run by name, on an Axes for each unit.
 
     A name is that of a port, a signal or a state: ``"e"``, ``"e[0]"``, ``"tank_h[0]"``. On several
-    Axes, as many as names, each has one. A refused name may be meant for one of `plots`.
+    Axes, as many as names, each has one; one given Axes has all. A refused name may be meant for
+    one of `plots`.
 
     >>> import clpt_control as clpt
     >>> run = clpt.simulate(clpt.parts.lag(2.0), [0.0, 1.0, 2.0], 1.0)
@@ -91,9 +93,15 @@ def signals_plot(
     """
     check_samples(run)
     names = [names] if isinstance(names, str) else [*names]
-    if isinstance(ax, list | tuple | np.ndarray) and len(names) == np.size(ax) > 1:
-        for name, panel in zip(names, np.ravel(ax), strict=True):
-            signals_plot(run, name, ax=panel, label=label, color=color)
+    is_list = isinstance(ax, list | tuple | np.ndarray)
+    groups = [[name] for name in names]
+    if ax is None or (is_list and np.size(ax) != len(names)):
+        groups = _by_unit(run, names)
+    if len(groups) > 1 and (ax is None or np.size(ax) == len(groups)):
+        ax = panels_for(ax, len(groups), f"run.clpt.plot({names[:1]})")
+        for group, panel in zip(groups, np.ravel(ax), strict=True):
+            signals_plot(run, group, ax=panel, label=label, color=color, plots=plots)
+            panel.label_outer()
         return ax
     ax = axes_for(ax, 6.4, 3.2)
     signals: dict[str, np.ndarray] = {}  # by name with unit
@@ -110,16 +118,25 @@ def signals_plot(
         style_line(line, None, color)
     is_one = len(names) == 1 and ax.get_ylabel() in ("", literal(_title(run, names[0])))
     ax.set_ylabel(literal(_title(run, names[0])) if is_one else "")
-    ax.set_xlabel(literal(with_unit("time", run.time)))
+    ax.set_xlabel(literal(label_of("time", run.time)))
     if label is not None or len(ax.lines) > 1:
         legend_above_data(ax)
     return ax
 
 
+def _by_unit(run: "xarray.Dataset", names: Sequence[str]) -> list[list[str]]:
+    """Return names in groups of one unit, in the order of their first ones."""
+    groups: dict[str, list[str]] = {}
+    for name in names:
+        port = run.get(name, run.get(name.partition("[")[0]))
+        groups.setdefault(unit_of(port), []).append(name)
+    return [*groups.values()]
+
+
 def _title(run: "xarray.Dataset", name: str) -> str:
     """Return a name with the unit of its port."""
     port = run.get(name, run.get(name.partition("[")[0]))
-    return with_unit(name, port)
+    return label_of(name, port)
 
 
 def _signals_by_name(
@@ -163,7 +180,7 @@ def _draw_port(ax: Any, run: "xarray.Dataset", port: str) -> None:
     for k, (name, values) in enumerate(signals.items()):
         label = literal(name) if is_labelled else None
         ax.plot(time, values, label=label, linewidth=1.1, **line_style(k))
-    ax.set_ylabel(literal(with_unit(port, run[port])))
+    ax.set_ylabel(literal(label_of(port, run[port])))
     if len(signals) > 1 and is_labelled:
         legend_above_data(ax)
 
@@ -236,7 +253,7 @@ def compare(
             raise ArgumentError("axis: is of the plot 'learning'. Leave it out")
         draw = partial(draw, axis=axis)
     names = [*map(str, labels or runs)]
-    signals = [changing_ports(run) for run in every]
+    signals = [shown_ports(run) for run in every]
     if plot == "response" and any(ports != signals[0] for ports in signals):
         shared = sorted({*signals[0]}.intersection(*signals))
         remedy = f"give plot={shared[:1]}" if shared else "draw each, run.clpt.plot()"
@@ -291,13 +308,13 @@ def ports_along(run: "xarray.Dataset") -> list[str]:
     ]
 
 
-def changing_ports(run: "xarray.Dataset") -> list[str]:
-    """Return the names of the ports along time but constant inputs, unless all are constant."""
+def shown_ports(run: "xarray.Dataset") -> list[str]:
+    """Return the names of the ports along time but inputs that are 0, unless all are."""
     ports = ports_along(run)
     changing = [
         port
         for port in ports
-        if noted_labels(run, port)[0] == "outputs" or (run[port] != run[port][0]).any()
+        if noted_labels(run, port)[0] == "outputs" or (run[port] != 0).any()
     ]
     return changing or ports
 
@@ -356,6 +373,11 @@ def named(name: str, units: str) -> str:
 def with_unit(name: str, signal: Any) -> str:
     """Return a name with the unit of a signal, if there is one."""
     return named(name, unit_of(signal))
+
+
+def label_of(name: str, signal: Any) -> str:
+    """Return a name with the unit of a signal as figures print it."""
+    return named(name, printed_unit(unit_of(signal)))
 
 
 def response_of(run: "xarray.Dataset") -> control.TimeResponseData:

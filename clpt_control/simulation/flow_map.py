@@ -27,7 +27,7 @@ from ..base.arguments import finite, public
 from ..base.errors import ArgumentError, DataError
 from ..base.figures import BLUE, GREY, ORANGE, TITLE, axes_for, legend_below
 from ..base.geodesy import LocalPlane, angle_near
-from ..base.units import DEGREES, SECONDS
+from ..base.units import DEGREES, SECONDS, printed_unit
 from ..engine.model.block import evaluate
 from ..paper.blocks.flow import unspanned
 from ..paper.currents.plane import GriddedField, read_field
@@ -39,6 +39,7 @@ from ..paper.scenario.recorded_run import (
     scenario_with,
     unknown_parts,
 )
+from .comparison import label_of
 from .dataset import unit_of
 from .flows import true_flow
 
@@ -349,7 +350,9 @@ def flow_map_plot(source: "xarray.Dataset", *, ax: "Axes | None" = None) -> "Axe
         northing, easting = learned.plane.to_earth(easting, northing)
     for name in SHADES & flow.keys():
         shade = flow[name].plot.pcolormesh
-        shade(ax=ax, cmap="Purples", vmin=0, alpha=0.4, cbar_kwargs={"shrink": 0.7})
+        label = label_of(flow[name].long_name, flow[name])
+        bar = {"shrink": 0.7, "label": label}
+        shade(ax=ax, cmap="Greys", vmin=0, alpha=0.4, cbar_kwargs=bar)
     ax.plot(easting, northing, color=BLUE, linewidth=0.9, label="track")
     arrows = flow.isel(dict.fromkeys(flow.u.dims, slice(0, None, BETWEEN)))
     fastest = float(f"{np.hypot(flow.u, flow.v).max():.1g}") or 1.0
@@ -364,11 +367,20 @@ def flow_map_plot(source: "xarray.Dataset", *, ax: "Axes | None" = None) -> "Axe
                 width=width,
                 zorder=3,
             )
-    ax.quiverkey(drawn, 0.8, 1.03, fastest, f"{fastest:g} {learned.unit}", labelpos="E")
-    ax.set(xlabel=f"{x.name} ({x.units})", ylabel=f"{y.name} ({y.units})", title="")
+    unit = printed_unit(learned.unit)
+    ax.quiverkey(drawn, 0.85, 1.03, fastest, f"{fastest:g} {unit}", labelpos="E")
+    ax.set(xlabel=label_of(x.name, x), ylabel=label_of(y.name, y), title="")
     ax.set_aspect(1 / np.cos(np.radians(y.mean())) if learned.is_geographic else 1.0)
     ax.ticklabel_format(style="plain", useOffset=False)
     ax.locator_params(nbins=4)
-    ax.set_title("Learned flow at the end", **TITLE)
+    ax.set_title(f"Learned flow, {_time_of(flow)}", **TITLE)
     legend_below(ax, 3)
     return ax
+
+
+def _time_of(flow: "xarray.Dataset") -> str:
+    """Return the time of a map: a date in UTC, or the time since the start of the run."""
+    time = flow.time
+    if time.dtype.kind == "M":
+        return f"{time.dt.strftime('%Y-%m-%d %H:%M').item()} UTC"
+    return f"t = {time.item():g} {time.attrs.get('units', '')}".strip()

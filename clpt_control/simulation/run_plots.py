@@ -127,7 +127,7 @@ def _draw_cycles(axes: Any, cycle: float) -> None:
         above = ax.secondary_xaxis("top", functions=functions)
         above.locator_params(axis="x", integer=True)
         above.tick_params(labelsize=7, colors=GREY)
-    axes[0].child_axes[0].set_xlabel("cycles", fontsize=7, color=GREY, loc="right")
+        above.set_xlabel("cycles", fontsize=7, color=GREY, loc="right")
 
 
 @public

@@ -288,11 +288,23 @@ SWEEPS = {
         ["a", "a"],
         ["b = 1", "b = 2", "b = 4"],
     ),
-    "not drawn apart": (
+    "the longest of three": (
         {"a": FEW, "b": FEW, "c": MANY},
-        "90 members; c varies, too",
+        "90 members\nb = 1",
+        ["c", "c", "c"],
+        ["a = 1", "a = 2", "a = 4"],
+    ),
+    "not drawn apart": (
+        {key: [*FEW, 5.0, 6.0] for key in "abc"},
+        "125 members; c varies, too",
         ["a"],
-        ["b = 1", "b = 2", "b = 4"],
+        ["b = 1", "b = 2", "b = 4", "b = 5", "b = 6"],
+    ),
+    "the shortest in panels": (
+        {"a": [*FEW, 5.0, 6.0], "b": FEW, "c": [1.0, 2.0, 3.0, 4.0, 5.0]},
+        "75 members\nb = 1",
+        ["a", "a", "a"],
+        ["c = 1", "c = 2", "c = 3", "c = 4", "c = 5"],
     ),
 }
 
@@ -306,12 +318,16 @@ def test_a_sweep_is_drawn_over_the_numbers_that_vary(name):
     assert [panel.get_xlabel() for panel in panels] == labels
     texts = [text.get_text() for text in panels[-1].get_legend().get_texts()]
     assert texts == legend
-    for panel, c in zip(panels, vary.get("c", [0.0]), strict=False):
-        for line, value in zip(panel.lines, FEW, strict=True):
+    of_panels = vary.get("c" if len(panels) == 2 else "b", FEW)
+    for panel, value in zip(
+        panels, of_panels if len(panels) > 1 else [0.0], strict=False
+    ):
+        for line, text in zip(panel.lines, legend, strict=True):
             x, rms = line.get_data()
-            if name != "not drawn apart":
-                others = value + c + vary.get("d", [0.0])[0]
-                np.testing.assert_allclose(rms, (x + others) / 3**0.5, rtol=1e-2)
+            if name == "not drawn apart":
+                continue
+            others = float(text.split()[2]) + value + vary.get("d", [0.0])[0]
+            np.testing.assert_allclose(rms, (x + others) / 3**0.5, rtol=1e-2)
 
 
 def test_a_sweep_of_two_long_ranges_is_a_map():
@@ -331,6 +347,27 @@ def test_a_sweep_of_two_long_ranges_is_a_map():
     np.testing.assert_allclose((corners[0, 1:, 0] + corners[0, :-1, 0]) / 2, MANY)
     np.testing.assert_allclose((corners[1:, 0, 1] + corners[:-1, 0, 1]) / 2, MANY)
     assert not [line for line in panels[1].get_xgridlines() if line.get_visible()]
+
+
+def test_one_member_that_diverged_leaves_the_others_their_colours():
+    """y' = r y from 1: the rms to t = 1 is ((e^(2 r) - 1)/(2 r))^(1/2), 2e8 for r = 20."""
+    grows = control.nlsys(
+        lambda t, x, u, p: [p["r"] * p["s"] * x[0]],
+        **{"inputs": 0, "states": ["y"], "params": {"r": 1.0, "s": 1.0}},
+        name="grows",
+    )
+    rates = np.append(np.linspace(-1.0, 1.0, 11), 20.0)
+    data = clpt.run_ensemble(
+        grows,
+        {"r": rates, "s": np.linspace(0.9, 1.0, 9)},
+        timepts=np.linspace(0, 1, 101),
+        initial_state=[1.0],
+    )
+    [panel] = np.ravel(data.clpt.plot())
+    shown = panel.collections[0]
+    colours = shown.norm(shown.get_array()).filled()
+    low, high = np.quantile(colours[:, :11], [0.05, 0.95])
+    assert high - low > 0.05  # 1e-8 on linear colours from 0 to 2e8
 
 
 def test_members_without_a_grid_are_squares_at_their_numbers():

@@ -126,7 +126,7 @@ def test_units_of_ports_are_those_of_the_run():
         "h (m)",
         "v (V)",
         "mean",
-        "q (m3/s)",
+        "q (m³/s)",
         "w",
     }
     drawn = clpt.draw(made).svg
@@ -219,7 +219,12 @@ def test_signals_and_states_are_drawn_by_name(of_carts):
     _, two = plt.subplots(2)
     run.clpt.plot(["pos", "force"], ax=two)
     np.testing.assert_array_equal(two[1].lines[0].get_ydata(), run.force)
-    assert len(np.ravel(run.clpt.plot())) == 1  # not the constant input
+    assert len(np.ravel(run.clpt.plot())) == 2  # a constant reference too
+    still = clpt.simulate(CART, TIMES, initial_state=[0.0, 1.0])
+    assert len(np.ravel(still.clpt.plot())) == 1  # not an input of 0
+    by_unit = run.clpt.plot(["force", "pos", "vel"])
+    assert [len(ax.lines) for ax in by_unit] == [2, 1]
+    assert [ax.get_ylabel() for ax in by_unit] == ["", "pos (m)"]
     assert run[["force"]].clpt.plot().has_data()
     says(clpt.ArgumentError, "Did you mean 'pos'", run.clpt.plot, "poss")
 

@@ -123,7 +123,9 @@ def test_units_and_least_values_stand_in_the_description(tmp_path):
         **{"time": None, "der(state.h)": None, "state.h": "m", "h": "m"},
         **{"q": "m3/s", "tank.A": "m^2", "tank.a": "% of flow"},
     }
-    bases = {one.get("name"): [part.attrib for part in one] for one in model.iter("Unit")}
+    bases = {
+        one.get("name"): [part.attrib for part in one] for one in model.iter("Unit")
+    }
     assert bases == {
         **{"m": [{"m": "1"}], "m3/s": [{"m": "3", "s": "-1"}]},
         **{"m^2": [{"m": "2"}], "% of flow": []},

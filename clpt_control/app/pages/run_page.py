@@ -18,9 +18,9 @@ from ...paper.scenario.team import Team
 from ...plots.drawing.figure import MOST, block_figure
 from ...simulation.animation import draw_samples
 from ...simulation.comparison import (
-    changing_ports,
     ports_along,
     response_plot,
+    shown_ports,
     signals_of,
     with_unit,
 )
@@ -324,7 +324,7 @@ def _over_time(run: Dataset) -> Section:
     if run.sizes["time"] < 2:
         return Section("response", heading, ONE_SAMPLE)
     few, thin = samples_to_draw(run)
-    ports = changing_ports(run)
+    ports = shown_ports(run)
     figures = []
     for begin in range(0, len(ports), EACH):
         group = ports[begin : begin + EACH]

@@ -192,7 +192,7 @@ def _made_good(rows: list[Row]) -> str:
 def _current(last: Row) -> str:
     error = max(last["current_east_error"], last["current_north_error"])
     current = velocity(last["current_east"], last["current_north"])
-    return card(f"Current, dive {last['dive']}", current, f"+- {error:.2f} m/s")
+    return card(f"Current, dive {last['dive']}", current, f"± {error:.2f} m/s")
 
 
 def _speed_factor(rows: list[Row]) -> str:
@@ -205,7 +205,7 @@ def _speed_factor(rows: list[Row]) -> str:
 
 
 def _factor(row: Row) -> str:
-    return f"{row['speed_factor']:.2f} +- {row['speed_factor_error']:.2f}"
+    return f"{row['speed_factor']:.2f} ± {row['speed_factor_error']:.2f}"
 
 
 def _position_error(last: Row) -> str:

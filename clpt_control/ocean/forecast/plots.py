@@ -62,7 +62,7 @@ def current_plot(replay: Source, *, ax: Any = None) -> np.ndarray:
     axes = axes_for(ax, 6.8, 6.4 if learned else 4.6, nrows=2 + learned, sharex=True)
     x = _surfaced(rows)
     for axes_of_component, axis in zip(axes, ("east", "north"), strict=False):
-        label = "learned, 2 standard errors"
+        label = "learned current, 2 standard errors"
         _band(axes_of_component, x, rows, f"current_{axis}", BLUE, label)
         of_file = _column(rows, f"file_current_{axis}")
         if np.isfinite(of_file).any():
@@ -70,7 +70,7 @@ def current_plot(replay: Source, *, ax: Any = None) -> np.ndarray:
                 x, of_file, "--^", color=ORANGE, label="the file's own", **_fine(x)
             )
         axes_of_component.axhline(0, color="black", lw=0.5)
-        axes_of_component.set_ylabel(f"current {axis} (m/s)")
+        axes_of_component.set_ylabel(f"{axis} (m/s)")
     axes[0].legend(
         fontsize=8, frameon=False, ncols=2, loc="lower left", bbox_to_anchor=(0, 1)
     )

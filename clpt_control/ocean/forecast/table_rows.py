@@ -278,7 +278,7 @@ def _toward(motion: Row, prefix: str = "") -> str:
     speed = motion[f"{prefix}speed"]
     direction = motion[f"{prefix}direction"]
     speed_text = "-" if speed is None else f"{speed:.2f}"
-    return speed_text if direction is None else f"{speed_text} {compass(direction)}"
+    return speed_text if direction is None else f"{speed_text} {compass(direction)}°"
 
 
 def _current(row: Row) -> str:
@@ -302,7 +302,7 @@ def _speed(row: Row) -> str | None:
 
 def _drift(row: Row) -> str:
     drift = row["drift"]
-    return "-" if drift is None else f"{drift['distance']:.0f}, {_toward(drift)}"
+    return "-" if drift is None else f"{drift['distance']:.0f} m at {_toward(drift)}"
 
 
 def _ellipse(row: Row | None) -> str:
@@ -316,7 +316,7 @@ def in_words(row: Row) -> str:
 
 TITLE = "Position error (CLPE, m) one dive ahead; currents in m/s"
 MODELS = ("no flow", "previous", "adaptive", "model")  # columns of the flow models
-ELLIPSE = f"{PERCENT} half axes (m), deg"
+ELLIPSE = f"{PERCENT} half axes m, deg"
 COLUMNS: Columns = {
     "dive": (0, lambda row: str(row["dive"])),
     "ended (UTC)": (1, lambda row: date(row["end"])),
@@ -327,8 +327,8 @@ COLUMNS: Columns = {
     "current to": (2, lambda row: _toward(row, "current_")),
     "current E N (m/s)": (6, _current),
     "speed": (3, _speed),
-    "over ground": (7, lambda row: _toward(row["over_ground"])),
-    "drift (m) to": (8, _drift),
+    "over ground m/s": (7, lambda row: _toward(row["over_ground"])),
+    "drift to": (8, _drift),
     "E N of DR (m)": (
         9,
         lambda row: (

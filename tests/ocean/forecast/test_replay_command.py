@@ -55,7 +55,7 @@ def test_the_command(sample, command):
         15,
         ["next", ahead["time"][5:16].replace("T", " ")],
     )
-    assert " x " in rows[-1][titles.index(f"{percent(found)} half axes (m), deg")]
+    assert " x " in rows[-1][titles.index(f"{percent(found)} half axes m, deg")]
     assert rows[-1][titles.index("adaptive")] == ""
     table = command("--sample", "--no-learn-speed", "--flow", "steady")
     assert table.exit_code == 0
