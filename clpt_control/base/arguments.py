@@ -53,10 +53,20 @@ NOUNS = {
     "Path": "a path",
     "PathLike": "a path",
 }
-# parts of annotations that messages leave out
-NO_WORDS = re.compile(r"\w+\.|ForwardRef\('|'\)|Annotated\[|, '[^']* [^']*'\]")
+COLLECTIONS = {  # of members
+    "Mapping": "a dict of {} by name",
+    "Sequence": "a list of {}",
+    "Iterable": "a list of {}",
+    "list": "a list of {}",
+    "tuple": "a tuple of {}",
+}
+NAME = re.compile(r"\w+?(?=s?\b)")  # also in the plural
 EXAMPLES = {  # argument -> example for its message
     "blocks": "[plant, controller]",
+    "at": "{'angle': 0.5}",
+    "within": "{'angle': (-1.0, 1.0)}",
+    "where": "{'torque': (-1.0, 1.0)}",
+    "parameters": "{'k': (start, low, high)}",
     "box": "(41, 41.5, -69.9, -69.1): south, north, west, east",
     "inputs": "{'e': 2}",
     "outputs": "{'y': 1}",
@@ -391,9 +401,26 @@ def _noun(kind: Any) -> str:
     name = (
         origin if isinstance(origin, str) else getattr(origin, "__name__", str(origin))
     )
-    if inner and name not in NOUNS:
-        return NO_WORDS.sub("", str(kind))  # Sequence[str | Path], as it is written
+    if inner and name in COLLECTIONS:
+        members = [one for one in inner if one is not Ellipsis][name == "Mapping" :]
+        nouns = [_noun(one) for each in members for one in kinds_of(each, {})]
+        nouns = [*dict.fromkeys(map(_several, nouns))]
+        count = f"{len(inner)} " if name == "tuple" and Ellipsis not in inner else ""
+        return COLLECTIONS[name].format(count + " or ".join(nouns))
     return NOUNS.get(name) or f"{'an' if name[0] in 'AEIOUaeioux' else 'a'} {name}"
+
+
+def _several(noun: str) -> str:
+    """Return the plural of a noun with its article.
+
+    >>> [_several(noun) for noun in ("a whole number", "a list of texts", "None", "an Any")]
+    ['whole numbers', 'lists of texts', 'None', 'values']
+    """
+    article, _, rest = noun.partition(" ")
+    if article not in ("a", "an"):
+        return noun
+    head, of, members = rest.partition(" of ")
+    return "values" if head == "Any" else f"{head}s{of}{members}"
 
 
 def has_nan(value: Any) -> bool:
@@ -425,10 +452,10 @@ def hint(argument: str, value: Any, allowed: str) -> str:
     """Return a remedy for the message, or ""."""
     if argument in EXAMPLES:
         return f", such as {EXAMPLES[argument]}"
-    if isinstance(value, str) and re.search(r"(Sequence|Iterable|list)\[str", allowed):
+    if isinstance(value, str) and "a list of texts" in allowed:
         return f". Give a list: [{value!r}]"
     return next(
-        (f"; {MAKERS[word]}" for word in re.findall(r"\w+", allowed) if word in MAKERS),
+        (f"; {MAKERS[word]}" for word in re.findall(NAME, allowed) if word in MAKERS),
         "",
     )
 
@@ -532,13 +559,13 @@ def nearest(name: str, names: Iterable[str]) -> str:
     return close[0] if close else ""
 
 
-def known(name: str, names: Iterable[str]) -> str:
-    """Return a sentence with the most similar name, or with all names.
+def known(name: str, names: Iterable[str], otherwise: str = "") -> str:
+    """Return a sentence with the most similar name, or another one, by default with all names.
 
     >>> known("angel", ["angle", "rate"]), known("y", ["angle", "rate"])
     ("Did you mean 'angle'?", 'It has angle, rate')
     """
     close = nearest(name, names)
-    return (
-        f"Did you mean '{close}'?" if close else f"It has {', '.join(names) or 'none'}"
-    )
+    if close:
+        return f"Did you mean '{close}'?"
+    return otherwise or f"It has {', '.join(names) or 'none'}"

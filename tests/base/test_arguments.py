@@ -312,8 +312,8 @@ SAID = {  # call -> the sentence
         "clpt.load_scenario('mine.toml') reads a scenario's file"
     ),
     lambda: clpt.Block("b", output=line, inputs=["u"], outputs={"y": 1}): (
-        "Block: inputs = ['u']: must be Mapping[str, int | str | tuple[int | str, ...]] or "
-        "None, such as {'e': 2}"
+        "Block: inputs = ['u']: must be a dict of whole numbers or texts or tuples of whole "
+        "numbers or texts by name or None, such as {'e': 2}"
     ),
     lambda: clpt.simulate(SCENARIO, rtol=math.nan): (
         "simulate: rtol = nan: must be a number or None"
@@ -324,21 +324,22 @@ SAID = {  # call -> the sentence
         "law by name"
     ),
     lambda: clpt.export(SCENARIO, "l.c", part="learner", watch=[True]): (
-        "export: watch = [True]: must be Sequence[InputOutputSystem], such as "
+        "export: watch = [True]: must be a list of diagrams, such as "
         "clpt.gramian(scenario, 40).watch"
     ),
     lambda: clpt.check(CLPE, samples=0): (
         "check: samples = 0: must be a whole number, 1 or more"
     ),
     lambda: clpt.tune_law(SCENARIO, laws="sigma"): (
-        "tune_law: laws = 'sigma': must be Iterable[str]. Give a list: ['sigma']"
+        "tune_law: laws = 'sigma': must be a list of texts. Give a list: ['sigma']"
     ),
     lambda: SCENARIO.with_values("learning.gain=2"): (
-        "Scenario.with_values: values = 'learning.gain=2': must be Mapping[str, Any], such as "
-        "{'learning.gain': 2.0}"
+        "Scenario.with_values: values = 'learning.gain=2': must be a dict of values by name, such "
+        "as {'learning.gain': 2.0}"
     ),
     lambda: clpt.compare("run.nc"): (
-        "compare: runs = 'run.nc': must be Mapping[str, 'Dataset'] or Sequence['Dataset']; "
+        "compare: runs = 'run.nc': must be a dict of xarray.Datasets by name or a list of "
+        "xarray.Datasets; "
         "clpt.simulate(scenario) makes a run, clpt.load_run('run.nc') reads one"
     ),
 }

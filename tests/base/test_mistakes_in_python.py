@@ -62,6 +62,9 @@ def vary(**named):
 
 
 MISTAKES = """
+clpt.Block("b", update=lambda t, x, u: [0.0], states={"x": 1}) -> but 4 were given. Its arguments are t, x, u, p
+clpt.lyapunov(PEN, within={"angle": 1.0}) -> must be a dict of lists of numbers by name or None, such as {'angle': (-1.0, 1.0)}
+clpt.fit_parameters(PEN, None, ["d"]) -> must be a dict of values by name, such as {'k': (start, low, high)}
 parts.lag(INF) -> lag: lag = inf: must be finite
 parts.lag(1, gain=NAN) -> lag: gain = nan: must be finite
 parts.lag(1, gian=2) -> lag: gian= is not an argument. Did you mean 'gain'?
@@ -117,7 +120,7 @@ clpt.gramian(SHORT, x0=1) -> gramian: x0= is not an argument. Give the initial s
 clpt.Team(members=[SHORT, SHORT], coupling=0.1) -> must be a dict by name, such as {'west': scenario}
 clpt.export(PEN, file="a.c") -> export: file= is not an argument. Give the file as path
 clpt.export(PEN, params={"g": NAN}) -> params: g = nan: must be
-clpt.connect(PEN) -> must be Sequence[Any], such as [plant, controller]
+clpt.connect(PEN) -> must be a list of values, such as [plant, controller]
 clpt.flow_map(runs()["a"], lat=[0]) -> flow_map: lat= is not an argument. Did you mean 'latitude'?
 clpt.flow_map(runs()["a"], [0, NAN]) -> latitude = [0.0, nan]: must be finite; number 1 is nan
 clpt.flow_map(runs()["a"], time=NAN) -> time = [nan]: must be finite; number 0 is nan
@@ -151,12 +154,12 @@ clpt.simulate(PEN, TIMES, params={"g": NAN}) -> params: g = nan: must be a numbe
 clpt.simulate(PEN, TIMES, params={"g": INF}) -> derivative of rate of block pen is not finite
 clpt.linearize(PEN, [0, INF], [0]) -> x = [0.0, inf]: must be finite; number 1 is inf
 clpt.linearize(PEN, [0, 0], [0], params={"g": NAN}) -> params: g = nan: must be a number
-clpt.lyapunov(PEN, at={"angle": NAN}) -> at = {'angle': nan}: must be Mapping[str, float] or None, without NaN
+clpt.lyapunov(PEN, at={"angle": NAN}) -> at = {'angle': nan}: must be a dict of numbers by name or None, without NaN
 clpt.lyapunov(PEN, at={"angle": 1.0}) -> at this at=, which is no rest. Give another
 clpt.currents.read_currents(clpt.currents.sample_currents(), units="furlong") -> units=, --units: units = 'furlong' is not a speed
 clpt.lyapunov(PEN, at={"angle": INF}) -> at: angle = inf: must be finite
-clpt.currents.fit_current("x.nc", (1, NAN, 2, 3)) -> box = (1, nan, 2, 3): must be tuple[float, float, float, float] or None, without NaN
-clpt.currents.fit_current("x.nc", ()) -> box = (): must be tuple[float, float, float, float] or None, such as (41, 41.5, -69.9, -69.1)
+clpt.currents.fit_current("x.nc", (1, NAN, 2, 3)) -> box = (1, nan, 2, 3): must be a tuple of 4 numbers or None, without NaN
+clpt.currents.fit_current("x.nc", ()) -> box = (): must be a tuple of 4 numbers or None, such as (41, 41.5, -69.9, -69.1)
 clpt.currents.known_flow_scenario(SHORT, [[1, 2]]) -> known_flow_scenario: theta = [[1.0, 2.0]]: must be an array of numbers of shape (..., 2, 3)
 clpt.currents.known_flow_scenario(SHORT, [[1, 2, NAN]]) -> known_flow_scenario: theta = [[1.0, 2.0, nan]]: must be finite
 fitted([0, 20]) -> parameters: g = [0, 20]: must be a number to begin at, or (start, low, high)

@@ -56,7 +56,12 @@ def test_a_run_that_a_guard_stops_is_refused(times):
 
 def test_parameters_of_a_call_are_a_dict():
     run = clpt.prepare(system(k=1.0), TIMES, params={"k": 1.0})
-    refuses("params = 3: must be Mapping", run, params=3, error=clpt.ArgumentError)
+    refuses(
+        "params = 3: must be a dict of values by name",
+        run,
+        params=3,
+        error=clpt.ArgumentError,
+    )
 
 
 def test_inputs_jump_at_repeated_times():

@@ -277,7 +277,7 @@ SIGNALS = [
     (None, "signals: is required for a diagram. Name signals of the diagram"),
     (["r", "q"], r"signals = \['q'\]: must be signals of the run: .*y, .*r"),
     ([], "must be signals of the run"),
-    ("ym", "must be Sequence"),
+    ("ym", "must be a list of texts"),
 ]
 
 

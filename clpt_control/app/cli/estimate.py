@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import clpt_control as clpt
 
-from ...base.errors import DataError, ScenarioError, refuse_unused
+from ...base.errors import ClptError, DataError, ScenarioError, refuse_unused
 from ...base.files import check_writable, write_file
 from .printing import FIGURE, SCENARIO, Json, arg, draw_figure, finish, flag, opt
 
@@ -81,6 +81,9 @@ def estimate(
     check_writable(results, "the results", (".nc",))
     options = {"shear": shear, "unmodelled": unmodelled}
     limits = {name: x for name, x in options.items() if x is not None}
+    for name, limit in limits.items():
+        if not limit > 0:
+            raise ClptError(f"--{name} {limit:g}: must be above 0")
     if sample:
         source, scenario = _sample(source, scenario)
     if source is None:
@@ -91,7 +94,8 @@ def estimate(
         )
     if source.endswith(".toml"):
         raise DataError(
-            f"{source}: is not a run. Make a run with: clpt run {source} --out run.nc"
+            f"{source}: is a scenario, not fixes or a run. Give: clpt estimate fixes.csv "
+            f"--scenario {source}, or make a run with: clpt run {source} --out run.nc"
         )
     if source.endswith(".nc") and scenario is None:
         of_fixes = {"drifter": drifter or None, "every-row": every_row or None}

@@ -114,7 +114,7 @@ def prove(
     from ...base.arguments import check_known
     from ...paper.laws.table import LAWS
 
-    check_known("--law", filter(None, [law]), LAWS)
+    check_known("LAW", filter(None, [law]), LAWS)
     if coq is not None:
         if theorem is not None:
             raise ClptError("--coq DIR: writes all theorems. Leave --theorem out")

@@ -83,6 +83,7 @@ def report_of(data: xarray.Dataset, truth: "np.ndarray | None" = None) -> Report
         "time_origin": data.attrs["time_origin"],
         "legs": legs,
         "error_rms_m": float(np.sqrt(np.mean(error**2))),
+        "later_error_rms_m": float(np.sqrt(np.mean(error[len(error) // 2 :] ** 2))),
         "level": LEVEL,
         "inside": int(data.inside.sum()),
         "theta_m_s": theta.tolist(),
@@ -134,7 +135,8 @@ def results_of(report: Report) -> list[Result]:
         *([f"{sentence}, {report['guarantee']}"] if sentence else []),
         *([] if largest is None else [f"largest error: {largest:.2e} m/s"]),
         f"{report['inside']} of {len(legs)} fixes inside the {PERCENT} region of their forecast; "
-        f"rms of the errors {report['error_rms_m']:.0f} m",
+        f"rms of the errors {report['error_rms_m']:.0f} m, of the later half of the legs "
+        f"{report['later_error_rms_m']:.0f} m",
         *report["notes"],
         *(
             f"skipped: {'' if skip['leg'] is None else 'leg {leg}: '.format(**skip)}{skip['why']}"

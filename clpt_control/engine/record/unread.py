@@ -86,7 +86,10 @@ def line_of(function: Any, error: BaseException) -> str:
     """Return the function, its line and its error, for a sentence."""
     message = " ".join(str(error).splitlines())  # an assertion may have none
     text = ": ".join(filter(None, [type(error).__name__, message]))
-    return located(function, error) + text + _advice_on_math(error)
+    advice = _advice_on_math(error)
+    if not advice and "positional argument" in message and " 4 " in message:
+        advice = ". Its arguments are t, x, u, p"
+    return located(function, error) + text + advice
 
 
 def _advice_on_math(error: BaseException) -> str:

@@ -25,6 +25,7 @@ from typing import Any
 from ...base.arguments import public
 from ...base.errors import DataError, naming
 from ...base.files.reading import NETCDF, AnyPath, open_netcdf, read_bytes, read_text
+from ...base.progress import note
 from ...base.progress.interrupt import check
 from . import og1, samples, seaexplorer, seaglider, slocum, usable_dives
 from .dive_fields import name_of
@@ -328,7 +329,9 @@ def read_legs(
     """
     legs, skipped = read_all_dives(path, every_row)
     moves = [isfinite(leg.dr_east) and isfinite(leg.dr_north) for leg in legs]
-    if drifting:
+    if drifting and all(moves):
+        note("--drifter: has no effect, each leg has its motion through the water")
+    elif drifting:
         legs = [
             leg if is_known else replace(leg, dr_east=0.0, dr_north=0.0, notes=())
             for leg, is_known in zip(legs, moves, strict=True)

@@ -21,7 +21,7 @@ from typing import Any
 import control
 import numpy as np
 
-from ...base.arguments import nearest, public
+from ...base.arguments import known, public
 from ...base.errors import ArgumentError, ClptError, DataError
 from ...base.html import fragment, paragraphs, table
 from ...paper.scenario.experiment import Scenario
@@ -358,8 +358,7 @@ def gramian(
     recorded = hasattr(run, "data_vars")
     w: Any = signals
     for name in options if recorded else ():
-        close = nearest(name, ("window", "start", "signals", "of"))
-        cure = f"Did you mean '{close}'?" if close else "Leave it out"
+        cure = known(name, ("window", "start", "signals", "of"), "Leave it out")
         raise ArgumentError(
             f"gramian: {name}: a run has its own times and inputs. {cure}"
         )

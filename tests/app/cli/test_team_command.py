@@ -160,8 +160,9 @@ def test_mistakes_are_one_sentence(refused_for, run):
         ("prior = -1: must be a positive number", run, "--prior", -1),
         ("noise = 9.99989e-321: must be", run, "--noise", "1e-320"),
         *(
-            ("is not a run. Make a run with: clpt run", "paper.toml"),
+            ("is a scenario, not fixes or a run. Give: clpt estimate", "paper.toml"),
             ("none.nc", "none.nc"),
+            ("--shear -1: must be above 0", "--sample", "--shear", "-1"),
         ),
         ("a scenario's name must end in .toml", run, "--out", run),
     ):

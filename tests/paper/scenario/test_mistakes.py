@@ -72,7 +72,7 @@ def test_a_table_of_its_own_is_checked_too():
     )
     says(ScenarioError, "missing key basis.kernel .and", clpt.Scenario, basis={})
     says(ScenarioError, "3: must be a table of keys", clpt.Scenario.model_validate, 3)
-    says(clpt.ArgumentError, "must be Mapping", PAPER.with_values, [2])
+    says(clpt.ArgumentError, "must be a dict of values by name", PAPER.with_values, [2])
     unnamed = "Team: name each argument: coupling=, edges=, members="
     says(ScenarioError, unnamed, clpt.Team, [PAPER, PAPER])
     other = {"reference.kind": "waypoints"}
