@@ -20,6 +20,7 @@ WIDTH = 56  # of a line, in letters
 TOKEN = re.compile(r"\\(?:left|right)\W|\\[a-zA-Z]+|\\.| [-+] |.", re.DOTALL)
 FLAT = str.maketrans("", "", "\\{}^_&, ")  # what is not as wide as a letter
 WORD = re.compile(r"(?<![\\a-zA-Z])[a-zA-Z]{2,}")  # and no command
+LAMBDA = re.compile(r"^lam(?=_|\d|$)")  # Python's word for another thing
 LEFT, RIGHT = r"\left(", r"\right)"
 SIGNS = {" + ": 0, " - ": 0, r"\,": 9}  # at which a line may end, at a cost
 INSIDE = {"{": 1, r"\begin": 1, "}": -1, r"\end": -1}
@@ -58,6 +59,7 @@ def typeset(expression: Any, accent: str = "{}") -> str:
     for symbol in expression.free_symbols:
         block, _, label = symbol.name.rpartition(".")
         name, _, index = in_ascii(label.rstrip("]")).partition("[")
+        name = LAMBDA.sub("lambda", name)
         text = sympy.latex(sympy.Symbol(name))
         if text == name and len(name) > 1 and "{" not in name:
             text = rf"\mathrm{{{name}}}"

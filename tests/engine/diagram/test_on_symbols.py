@@ -44,6 +44,9 @@ def test_a_function_of_python_control():
     links = [["a.u[0]", "b.y[0]"], ["b.u[0]", "a.y[0]"]]
     pair = control.interconnect(steps, links, inplist=["a.u[0]"], outlist=["a.y[0]"])
     assert r"{x^{\mathrm{a}}}^{+}" in clpt.equations(pair).latex()  # one superscript
+    rate = lambda t, x, u, p: [-p["lam"] * x[0] - p["lamp"]]  # noqa: E731
+    lit = control.nlsys(rate, states=["q"], inputs=0, params={"lam": 1.0, "lamp": 2.0})
+    assert r"- \lambda\,q - \mathrm{lamp}" in clpt.equations(lit).latex()
     arrays = clpt.equations(PENDULUM)
     assert [str(s) for s in arrays["w"]] == ["w[0]", "w[1]"]
     assert r"\dot{\theta} &= \omega" in arrays._repr_latex_()
