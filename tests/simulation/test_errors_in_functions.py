@@ -3,6 +3,7 @@
 import math
 import re
 import warnings
+from decimal import Decimal
 
 import control
 import numpy as np
@@ -103,6 +104,24 @@ def test_a_function_of_math_of_a_port_of_two_signals():
     erf = lambda t, x, u, p: {"x": -math.erf(x.x)}  # noqa: E731  NumPy has none
     said = told(lambda: clpt.Block("q", update=erf, states={"x": 2}), clpt.BlockError)
     assert said.endswith("math.erf takes one number. Use an element of the port")
+
+
+@pytest.mark.parametrize(
+    ("value", "advice"),
+    [
+        ([2.0], "Give a parameter of several numbers as np.array"),
+        (Decimal(2), "Give numbers as float"),
+    ],
+)
+def test_a_parameter_that_is_no_number_has_advice(value, advice):
+    falls = control.nlsys(
+        lambda t, x, u, p: [-p["k"] * x[0]], states=1, params={"k": 1.0}, name="falls"
+    )
+    with pytest.warns(UserWarning, match="runs in Python"):
+        said = told(
+            lambda: clpt.simulate(falls, [0, 1], params={"k": value}), clpt.BlockError
+        )
+    assert said.endswith(advice)
 
 
 NO_NUMBERS = {

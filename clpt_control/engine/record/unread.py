@@ -45,6 +45,11 @@ def reading_on(tape: Any) -> Iterator[None]:
 # --- functions and lines of the user's code, for sentences --------------------------------------
 
 LIBRARIES = ("numpy", "scipy", "matplotlib", "pandas", "xarray")  # run as they are
+ADVICE = {  # pattern of an error -> what to do
+    r"takes \d positional arguments? but 4": "Its arguments are t, x, u, p",
+    r"operand.*'(list|tuple)'": "Give a parameter of several numbers as np.array",
+    r"operand.*'(decimal\.Decimal|Fraction)'": "Give numbers as float",
+}
 STATEMENT = "__statement__"  # name of a function that is a statement of the user's
 ENGINE = __package__.rpartition(".")[0]
 
@@ -87,8 +92,9 @@ def line_of(function: Any, error: BaseException) -> str:
     message = " ".join(str(error).splitlines())  # an assertion may have none
     text = ": ".join(filter(None, [type(error).__name__, message]))
     advice = _advice_on_math(error)
-    if not advice and "positional argument" in message and " 4 " in message:
-        advice = ". Its arguments are t, x, u, p"
+    for pattern, cure in ADVICE.items():
+        if re.search(pattern, text):
+            advice = f". {cure}"
     return located(function, error) + text + advice
 
 
