@@ -2,7 +2,9 @@
 
 - **sector**: an odd rising h has h(s) = q s with q in a range, so tanh(s) = q s, 0 <= q <= 1;
 - **pieces**: clip(s, a, b) is s where s - a >= 0 and b - s >= 0, a where a - s >= 0, ...;
-- **range**: the interval of its values, from those of its arguments;
+- **range**: the interval of its values, from those of its arguments: of one that rises its
+  values at their ends, of exact numbers here and of floats in boxes (`proofs/region.py`);
+- **slope**: the interval of its slope, and **Coq**: its name where lemmas know it;
 - **growth**: bounded, or at most as fast as (one of) its arguments;
 - **kind**: smooth, a kink, a step (constant except where it jumps), or a choice of branches.
 """
@@ -15,7 +17,7 @@ from operator import ge, gt, le, lt
 from typing import Any, Literal, NamedTuple
 
 import sympy
-from sympy import Abs, Add, Dummy, Expr, Function, Max, Min, S, exp, log, oo, sympify
+from sympy import Abs, Add, Dummy, Expr, Function, Max, Min, S, log, oo, sympify
 from sympy.core.function import AppliedUndef
 
 from ...engine.diagram.symbol_names import TIME
@@ -51,10 +53,19 @@ class Fact(NamedTuple):
     # range of h(s)/s of an odd function that rises with s
     sector: Interval | None = None
     pieces: Callable[..., list[Piece]] | None = None
-    # ends of the arguments -> ends
+    # whether it never falls with an argument; one with a sector does not
+    grows: bool = False
+    # ends of the arguments -> ends, if it does not rise
     range: Callable[..., Interval] | None = None
     # carried out where all arguments are numbers
     number: Callable[..., Any] | None = None
+    slope: Interval | None = None
+    coq: str = ""
+
+    @property
+    def rises(self) -> bool:
+        """True if no argument makes it fall."""
+        return self.grows or self.sector is not None
 
 
 # --- pieces ---------------------------------------------------------------------------------
@@ -95,11 +106,6 @@ def _constant(low: Any, high: Any) -> Callable[..., Interval]:
     return lambda *ends: (sympify(low), sympify(high))
 
 
-def _monotone(function: Callable[..., Any]) -> Callable[..., Interval]:
-    """Return the range of a function that rises with each argument."""
-    return lambda *ends: tuple(function(*values) for values in zip(*ends, strict=True))
-
-
 def _range_of_choice(*ends: Interval) -> Interval:
     """Return the range of a choice: the first argument selects one of the others."""
     lows, highs = zip(*ends[1:], strict=True)
@@ -112,50 +118,49 @@ def _range_of_log(ends: Interval) -> Interval:
     return low, log(high) if high.is_positive else oo
 
 
+def _truncated(s: Any) -> Any:
+    return sympy.sign(s) * sympy.floor(Abs(s))
+
+
 def _clip_number(s: Any, low: Any, high: Any) -> Any:
     return Min(Max(s, low), high)
 
 
-def _extreme(function: Any) -> Fact:
-    return Fact(
-        "kink",
-        "as all",
-        pieces=_pieces_of_two,
-        range=_monotone(function),
-        number=function,
-    )
-
-
 # --- the table ------------------------------------------------------------------------------
+
+
+def _extreme(function: Any, coq: str) -> Fact:
+    pieces = _pieces_of_two
+    return Fact("kink", "as all", None, pieces, True, number=function, coq=coq)
+
 
 TRUTH = _constant(0, 1)
 UNIT = _constant(-1, 1)
-SMOOTH = "erfc cosh acosh atanh asin acos tan"
 FACTS: dict[str, Fact] = {
-    "sin": Fact("smooth", "bounded", range=UNIT),
-    "cos": Fact("smooth", "bounded", range=UNIT),
-    "tanh": Fact("smooth", "bounded", sector=(0, 1), range=_monotone(sympy.tanh)),
-    "atan": Fact("smooth", "bounded", sector=(0, 1), range=_monotone(sympy.atan)),
+    "sin": Fact("smooth", "bounded", range=UNIT, slope=(-1, 1), coq="sin"),
+    "cos": Fact("smooth", "bounded", range=UNIT, coq="cos"),
+    "tanh": Fact("smooth", "bounded", (0, 1), coq="tanh"),
+    "atan": Fact("smooth", "bounded", (0, 1), coq="atan"),
     "atan2": Fact("choice", "bounded"),
-    "erf": Fact("smooth", "bounded", sector=(0, 2)),
-    "asinh": Fact("smooth", "as all", sector=(0, 1)),
-    "sinh": Fact("smooth", sector=(1, oo)),
-    "exp": Fact("smooth", range=_monotone(exp)),
-    "log": Fact("smooth", range=_range_of_log),
-    **dict.fromkeys(SMOOTH.split(), Fact("smooth")),
-    "Abs": Fact("kink", "as all", pieces=_pieces_of_sign),
+    "erf": Fact("smooth", "bounded", (0, 2)),
+    "asinh": Fact("smooth", "as all", (0, 1)),
+    "sinh": Fact("smooth", sector=(1, oo), coq="sinh"),
+    "cosh": Fact("smooth", coq="cosh"),
+    "exp": Fact("smooth", grows=True, slope=(0, oo), coq="exp"),
+    "log": Fact("smooth", grows=True, range=_range_of_log, coq="ln"),
+    **dict.fromkeys(("erfc", "acosh", "atanh", "asin", "acos", "tan"), Fact("smooth")),
+    "Abs": Fact("kink", "as all", pieces=_pieces_of_sign, coq="Rabs"),
     "clip": Fact(
         "kink",
         "as branches",
         pieces=_pieces_of_clip,
-        range=_monotone(_clip_number),
+        grows=True,
         number=_clip_number,
+        coq="clip",
     ),
-    "maximum": _extreme(Max),
-    "minimum": _extreme(Min),
-    "sign": Fact(
-        "step", "bounded", pieces=_pieces_of_sign, range=UNIT, number=sympy.sign
-    ),
+    "maximum": _extreme(Max, "Rmax"),
+    "minimum": _extreme(Min, "Rmin"),
+    "sign": Fact("step", "bounded", (0, oo), _pieces_of_sign, number=sympy.sign),
     "inside": Fact(
         "step",
         "bounded",
@@ -163,11 +168,9 @@ FACTS: dict[str, Fact] = {
         range=TRUTH,
         number=lambda s, low, high: sympy.Integer(bool(low < s < high)),
     ),
-    "floor": Fact("step", "as all", number=sympy.floor),
-    "ceil": Fact("step", "as all", number=sympy.ceiling),
-    "trunc": Fact(
-        "step", "as all", number=lambda s: sympy.sign(s) * sympy.floor(Abs(s))
-    ),
+    "floor": Fact("step", "as all", (0, oo), number=sympy.floor),
+    "ceil": Fact("step", "as all", (0, oo), number=sympy.ceiling),
+    "trunc": Fact("step", "as all", (0, oo), number=_truncated),
     "mod": Fact("choice", "as branches", number=lambda a, b: a % b),
     **dict.fromkeys(
         ("where", "pick"), Fact("choice", "as branches", range=_range_of_choice)
@@ -178,8 +181,14 @@ FACTS: dict[str, Fact] = {
     **dict.fromkeys(LOGIC, Fact("step", "bounded", range=TRUTH)),
 }
 UNKNOWN = Fact("choice")
-# functions of SymPy that are odd and rise
-ODD = tuple(getattr(sympy, name) for name, fact in FACTS.items() if fact.sector)
+SMOOTH = {
+    getattr(sympy, name): fact for name, fact in FACTS.items() if fact.kind == "smooth"
+}
+ODD = tuple(f for f, fact in SMOOTH.items() if fact.sector)
+RISING = tuple(f for f, fact in SMOOTH.items() if fact.rises)
+BOUNDED = tuple(f for f, fact in SMOOTH.items() if fact.growth == "bounded")
+# with lemmas in Runs.v
+IN_COQ = Abs, *(f for f, fact in SMOOTH.items() if fact.coq)
 
 
 def fact_of(call: Expr) -> Fact:
@@ -254,32 +263,24 @@ class Sector(NamedTuple):
 
 def sectors_of(call: Any) -> list[Sector]:
     """Return what is known of a function: its sector, its range, its slope."""
-    s, slopes = call.args[0], {"sin": (-1, 1, False, 0), "exp": (0, oo, False, 1)}
-    known = [sector_of(call), _range_of(call)]
-    if of_slope := slopes.get(call.func.__name__):
-        known.append(Sector(s, *of_slope))
-    return [*filter(None, dict.fromkeys(known))]
-
-
-def _range_of(call: Any) -> Sector | None:
-    """Return the numbers between which a function is, if there is a lower one."""
-    low, high = interval(call)
-    return None if low == -inf else Sector(S.One, low, high)
+    known, (low, high) = [sector_of(call)], interval(call)
+    if low != -inf:
+        known.append(Sector(S.One, low, high))
+    if slope := fact_of(call).slope:
+        known.append(Sector(call.args[0], *slope, offset=call.func(0)))
+    return [*filter(None, known)]
 
 
 def sector_of(call: Any) -> Sector | None:
-    """Return the sector of a function, if it is known, or else its range."""
-    name, s = call.func.__name__, call.args[0]
-    sector = fact_of(call).sector
+    """Return the sector of a function, if it is known."""
+    name, s, (kind, _, sector, *_) = call.func.__name__, call.args[0], fact_of(call)
     if sector is not None:
-        return Sector(s, *sector, rises=True)
-    if name in ("sign", "floor", "trunc", "ceil"):
-        return Sector(s, 0, oo, rises=name == "sign")
+        return Sector(s, *sector, rises=kind == "smooth" or name == "sign")
     if name == "clip":
         _, low, high = call.args
         if low.is_nonpositive and high.is_nonnegative:
             return Sector(s, 0, 1, bool(low.is_negative and high.is_positive))
-    return _range_of(call)
+    return None
 
 
 @lru_cache(maxsize=10_000)
@@ -292,8 +293,11 @@ def interval(e: Expr) -> Interval:
     low = S.Zero if e.is_nonnegative or e == TIME else -oo
     high = S.Zero if e.is_nonpositive else oo
     bounds = low, high
-    if (range_of := fact_of(e).range) is not None:
-        bounds = range_of(*ends)
+    fact = fact_of(e)
+    if fact.range is not None:
+        bounds = fact.range(*ends)
+    elif fact.rises:
+        bounds = tuple(map(fact.number or e.func, *ends))
     elif e.is_Add:
         lows, highs = zip(*ends, strict=True)
         bounds = Add(*lows), Add(*highs)
@@ -306,6 +310,10 @@ def interval(e: Expr) -> Interval:
     elif e.is_Pow and e.exp.is_positive and e.exp.is_even:
         bounds = S.Zero, Max(-ends[0][0], ends[0][1]) ** e.exp
     return Max(low, bounds[0]), Min(high, bounds[1])
+
+
+# from -1 to 1
+RANGED = tuple(f for f in BOUNDED if interval(f(Dummy(real=True)))[1] == 1)
 
 
 def stays_off_zero(e: Expr) -> bool:
@@ -359,7 +367,7 @@ def facts_of(calls: Iterable[Any]) -> list[Expr]:
             (s,), (q, p) = h.args, sector
             facts.append((h - q * s) * (p * s - h if p != oo else s))
     for u, v in combinations(calls, 2):
-        if u.func == v.func and (fact_of(u).sector or isinstance(u, exp)):
+        if u.func == v.func and fact_of(u).rises and not v.args[1:]:
             rise, run = u - v, u.args[0] - v.args[0]
             is_flat = fact_of(u).sector == (0, 1)
             facts.append(rise * (run - rise) if is_flat else rise * run)

@@ -19,17 +19,9 @@ from sympy.printing.str import StrPrinter
 
 from ...base.errors import DiagramError
 from ...engine.diagram.typesetting import in_ascii
+from ..algebra.facts import FACTS
 
-FUNCTIONS = {
-    "Abs": "Rabs",
-    "log": "ln",
-    "maximum": "Rmax",
-    "minimum": "Rmin",
-    **{
-        name: name
-        for name in ["exp", "sin", "cos", "tanh", "sinh", "cosh", "atan", "clip"]
-    },
-}
+FUNCTIONS = {name: fact.coq for name, fact in FACTS.items() if fact.coq}
 KNOWN = sympy.Symbol, sympy.Number, sympy.Add, sympy.Mul, sympy.Pow, sympy.Function
 WORD = r"[A-Za-z_]\w*"
 NAME = re.compile(rf"{WORD}([.:]{WORD})*(\[\w+(,\w+)*\])*", re.ASCII).fullmatch

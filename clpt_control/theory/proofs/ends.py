@@ -21,7 +21,7 @@ from ...engine.diagram.symbol_names import TIME
 from ..algebra.decide import never_positive
 from ..algebra.decided import decided
 from ..algebra.exact import coarse, factored, normal_form, terms_of, vanishes
-from ..algebra.facts import functions_in, side_of, stays_off_zero
+from ..algebra.facts import RISING, functions_in, side_of, stays_off_zero
 from ..algebra.slopes import along, jumps_nowhere, of_same_sign
 from ..algebra.sums_of_squares import Squares, rising_in, squares, zero_of
 from .answers import Definite, Fall
@@ -34,12 +34,6 @@ MOST_FORMS = 80  # that are factored, in all cases together
 MOST_ROUNDS = 12  # forms of one case that are differentiated
 MOST_OPERATIONS = 100  # of a rate; longer ones are left out
 MOST_VARIABLES = 7  # of polynomials whose zeros are counted
-INVERSES = {  # of functions that rise
-    sympy.exp: sympy.log,
-    sympy.tanh: sympy.atanh,
-    sympy.sinh: sympy.asinh,
-    sympy.atan: sympy.tan,
-}
 
 
 class Ends(NamedTuple):
@@ -371,12 +365,12 @@ class Still:
             (s,) = states
             if any(rising_in(e * h, s) for e in (s, -s)):
                 return s
-        if len(calls := h.atoms(*INVERSES)) == 1:
+        if len(calls := h.atoms(*RISING)) == 1:
             (call,), word = calls, Dummy()
             slope = diff(h.xreplace({call: word}), word)
             value = -normal_form(h - slope * call) / slope
             is_number = not Tuple(slope, value).free_symbols - self.fixed
-            inverse = INVERSES[call.func](value)
+            inverse = call.inverse()(value)
             if is_number and inverse.is_real:
                 return call.args[0] - inverse
         return h

@@ -16,7 +16,7 @@ import sympy
 from sympy import Abs, Add, Expr, Mul, S, diff, expand
 
 from ...engine.diagram.symbol_names import TIME
-from ..algebra.facts import roots_in
+from ..algebra.facts import BOUNDED, IN_COQ, ODD, roots_in
 from ..algebra.slopes import along
 from .conclusions import CONCLUSIONS, REQUIREMENTS
 from .coq_text import (
@@ -35,9 +35,8 @@ from .coq_text import (
     sign_before,
     without_signs,
 )
-from .rate_as_sum import RISING, Case, NotASum, Term, is_above_zero, least, total
+from .rate_as_sum import Case, NotASum, Term, is_above_zero, least, total
 from .statements import whole
-from .where import RANGED
 
 PRELUDE = Path(__file__).parents[1] / "coq" / "Runs.v"
 STATEMENT = re.compile(r"^(?:Lemma|Theorem) ([\w']+) : (.*?)\.\nProof", re.M | re.S)
@@ -65,10 +64,9 @@ ALWAYS = (
     "V_stays",
 )  # beginnings of names of theorems
 OUTSIDE = "outside V, bounded"  # condition of a verdict
-BETWEEN = *RANGED, sympy.atan  # two numbers
 # bounded where their arguments are
-GROWING = Add, Mul, sympy.Pow, sympy.exp, Abs, sympy.sinh, sympy.cosh
-UNDONE = {f: f"vanishes_of_{f.__name__.lower()}" for f in (Abs, *RISING)}
+GROWING = Add, Mul, sympy.Pow, *({*IN_COQ} - {*BOUNDED, sympy.log})
+UNDONE = {f: f"vanishes_of_{f.__name__.lower()}" for f in (Abs, *ODD)}
 
 
 class File:
@@ -393,7 +391,7 @@ class File:
 
     def is_bounded(self, e: Expr) -> bool:
         """Return whether an expression is made of what is known to be bounded."""
-        if self.is_fixed(e) or e in self.bounded or isinstance(e, BETWEEN):
+        if self.is_fixed(e) or e in self.bounded or isinstance(e, BOUNDED):
             return True
         if e.is_Pow and e.exp.is_negative:
             return is_above_zero(e.base, self.fixed)
@@ -401,7 +399,7 @@ class File:
 
     def is_steady(self, e: Expr) -> bool:
         """Return whether an expression is Lipschitz in time by its form."""
-        calls = e.atoms(*BETWEEN)
+        calls = e.atoms(*BOUNDED)
         # a product of a state that is not bounded is not known to be Lipschitz
         bare = e.xreplace(dict.fromkeys(calls, S.One)).free_symbols
         return (
@@ -502,6 +500,6 @@ class File:
 
     def _fades(self, factor: Expr) -> bool:
         base, power = factor.as_base_exp()
-        if isinstance(base, (sympy.sin, *RISING)) and base not in self.zero:
+        if base.func in (sympy.sin, *ODD) and base not in self.zero:
             base = base.args[0]
         return base in self.zero and bool(power.is_positive)

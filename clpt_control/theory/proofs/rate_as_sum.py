@@ -31,15 +31,21 @@ from sympy import (
     cosh,
     exp,
     expand,
-    log,
-    sin,
 )
 from sympy.core.function import AppliedUndef
 
 from ...engine.diagram.symbol_names import TIME
 from ..algebra.exact import factored, vanishes, with_tanh
 from ..algebra.exact import terms_of as count_terms
-from ..algebra.facts import facts_of, functions_in, has_time, interval
+from ..algebra.facts import (
+    IN_COQ,
+    ODD,
+    RANGED,
+    facts_of,
+    functions_in,
+    has_time,
+    interval,
+)
 from ..algebra.gram import sum_of_squares
 from ..algebra.slopes import along
 from ..algebra.sums_of_squares import squares
@@ -47,7 +53,6 @@ from ..algebra.texts import short
 from .answers import Definite, Fall
 from .outside import CLOCK
 from .ultimate_bounds import Bounding, in_forms
-from .where import RANGED
 
 
 class NotASum(Exception):
@@ -137,10 +142,8 @@ class Case:
         return self.push == 0 and self.decay == 0
 
 
-RISING = (sympy.tanh, sympy.sinh, sympy.atan)  # odd functions
-SMOOTH = (exp, log, sin, cos, cosh, Abs, *RISING)
 LEAST_DIVISOR = Rational(1, 100)  # that the tactic `bnd` tries
-WAVES = (sin, cos, log, *RISING)  # of numbers: not computed in Coq
+NOT_COMPUTED = {*IN_COQ} - {exp, cosh, Abs}  # in Coq, of numbers
 PARTS = tuple(Rational(n, 20) for n in (20, 19, 16, 10))  # of a level, tried in turn
 WEIGHTS = (S.Zero, S.Half, S.One, S(2))  # of what is left to the level, times squares
 LEAST = Rational(1, 1000)  # of the squares of states, which V' loses
@@ -186,7 +189,7 @@ def by_facts(expression: Expr) -> list[Term]:
 def is_nonnegative(term: Expr) -> bool:
     """Return whether the factors of a term show that it is not negative, such as s tanh(s)."""
     term = term.xreplace({TIME: CLOCK})
-    for call in term.atoms(*RISING):
+    for call in term.atoms(*ODD):
         powers = term.as_powers_dict()
         if powers[call] % 2 and powers[call.args[0]] % 2:
             term = term / (call * call.args[0])
@@ -223,7 +226,7 @@ def term_of(summand: Expr, fixed: set) -> Term:
         return Term(weight, base, FORM**power)
     if summand.is_Add:
         raise NotASum(f"{short(summand)} is no product")
-    kinds = [(c.args[0], FORM * c.func(FORM)) for c in varying.atoms(*RISING)]
+    kinds = [(c.args[0], FORM * c.func(FORM)) for c in varying.atoms(*ODD)]
     powers = (factor.as_base_exp() for factor in Mul.make_args(varying))
     kinds += [(base, FORM**n) for base, n in powers if n.is_even and n.is_positive]
     for form, shape in kinds if weight.is_positive else ():
@@ -341,7 +344,7 @@ def checked(way: Callable[[], Case]) -> Case:
     """Return a case whose sum is V', in exact arithmetic."""
     case = way()
     for term in (*case.terms, *case.losses):
-        if term.weight.has(*WAVES):
+        if term.weight.has(*NOT_COMPUTED):
             raise NotASum(f"the sign of {term.weight} is not known to Coq")
     if any(t.value.has(Abs) and t.shape not in SHAPES for t in case.terms):
         raise NotASum(f"{short(case.V)} has |.|, whose rate is not printed")
@@ -358,7 +361,7 @@ def refuse(case: Any) -> None:
     """Refuse what has no file: states that jump, sampled parts, guards, discrete time, sets."""
     written = Tuple(case.V, case.rate, *case.motion.values())
     for call in sorted(functions_in(written), key=str):
-        if not isinstance(call, SMOOTH) and call.args != (TIME,):
+        if not isinstance(call, IN_COQ) and call.args != (TIME,):
             raise NotASum(f"{short(call)} has pieces, or no lemma in Runs.v")
     if case.eq.discrete:
         raise NotASum("time is discrete")
@@ -394,7 +397,7 @@ def least(e: Expr) -> Expr:
 def is_above_zero(base: Expr, fixed: set) -> bool:
     """Return whether a divisor has a positive least value, or is a parameter with a sign."""
     if not base.free_symbols - fixed:
-        return bool(base.is_nonzero) and not base.has(*WAVES)
+        return bool(base.is_nonzero) and not base.has(*NOT_COMPUTED)
     if base.is_Pow and base.base != sympy.E:
         return is_above_zero(base.base, fixed)
     if isinstance(base, (exp, cosh)) or least(base) >= LEAST_DIVISOR:

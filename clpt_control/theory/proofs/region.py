@@ -36,10 +36,9 @@ from ...base.arguments import check_holds, check_known, numbers
 from ...base.errors import DiagramError
 from ...base.units import at_least
 from ...engine.diagram.symbol_names import TIME
-from ...engine.record.symbolic import ON_NUMBERS
 from ..algebra.decided import decided
 from ..algebra.exact import normal_form, vanishes
-from ..algebra.facts import COMPARISONS, GT, ODD, is_continuous, is_smooth
+from ..algebra.facts import COMPARISONS, GT, fact_of, is_continuous, is_smooth
 from ..algebra.numeric_values import numpy_function
 from ..algebra.slopes import in_known_pieces, meets_smoothly, slope_in
 from ..algebra.texts import short
@@ -49,13 +48,7 @@ Interval = tuple[np.ndarray, np.ndarray]  # low and high, of shape (boxes,)
 UNITS = 16.0 * 2.0**-52  # as a share: of a function of NumPy, in the last place
 LARGEST = 1e5  # angle whose turns are counted
 TURN = 1e-9  # share of a turn: where a sine is at its top is not known better
-
-RISING = *ODD, sympy.exp, sympy.log
-EXACT = ("sign", "floor", "ceil", "trunc", "maximum", "minimum", "clip")
-STEPS = {name: ON_NUMBERS[name] for name in EXACT} | {
-    "or_": np.maximum,
-    "and_": np.minimum,
-}
+EXTREME = {"or_": np.maximum, "and_": np.minimum}  # of truth values
 
 
 @np.errstate(all="ignore")
@@ -87,8 +80,9 @@ def _operation(e: Expr, ranges: dict[Any, Interval]) -> Interval:
         return reduce(times, of)
     if e.is_Pow and e.exp.is_number:
         return _power(*of[0], e.exp)
-    if isinstance(e, RISING):
-        return _outward(*map(numpy_function(e.func, 1), of[0]))
+    if (fact := fact_of(e)).rises:
+        low, high = map(numpy_function(e.func, len(of)), *of)
+        return _outward(low, high) if fact.kind == "smooth" else (low, high)
     if isinstance(e, sympy.cosh):
         low, high = _size(*of[0])
         return _outward(np.cosh(low), np.cosh(high))
@@ -96,9 +90,9 @@ def _operation(e: Expr, ranges: dict[Any, Interval]) -> Interval:
         return _sine(e.func, *of[0])
     if name == "Abs":
         return _size(*of[0])
-    if name in STEPS:
-        lows, highs = zip(*of, strict=True)
-        return STEPS[name](*lows), STEPS[name](*highs)
+    if name in EXTREME:
+        low, high = map(EXTREME[name], *of)
+        return low, high
     if name in COMPARISONS:
         (a, b), compare = (
             of if name in ("gt", "ge") else of[::-1],

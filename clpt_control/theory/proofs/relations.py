@@ -15,7 +15,7 @@ from itertools import chain, product
 from typing import Any
 
 import sympy
-from sympy import Add, Dummy, Expr, S, expand, sympify
+from sympy import Add, Dummy, Expr, S, Tuple, expand, sympify
 from sympy.core.function import AppliedUndef
 from sympy.utilities.iterables import connected_components
 
@@ -24,7 +24,7 @@ from ...engine.diagram.symbol_names import TIME
 from ...engine.diagram.symbolic_equations import Equations
 from ..algebra.decided import decided
 from ..algebra.exact import factored, groups_of, normal_form, vanishes
-from ..algebra.facts import CLIP, functions_in, is_smooth, roots_in
+from ..algebra.facts import CLIP, fact_of, functions_in, is_smooth, roots_in
 from ..algebra.slopes import along, jumps_nowhere, slope_in
 from ..algebra.sums_of_squares import written_forms
 from ..algebra.texts import short
@@ -33,15 +33,14 @@ from .signal_functions import expressions_of
 from .statements import Statement, joined, said
 from .steps import Step, exact
 
-# their slopes have no bound
-STEEP = sympy.asin, sympy.acos, sympy.acosh
-
 
 def forks(rate: Expr, fixed: Set[Any]) -> bool:
     """Return whether motions may part where a rate is zero, as those of s' = |s|^(1/2) at 0."""
-    roots = (base for base in roots_in(rate) if not base.is_positive)
+    smooth = (f for f in functions_in(rate) if fact_of(f).kind == "smooth")
+    bases = roots_in(Tuple(rate, *(call.fdiff() for call in smooth)))
+    roots = (base for base in bases if not base.is_positive)
     may_be_zero = any(base.free_symbols - fixed for base in roots)
-    return may_be_zero or rate.has(*STEEP) or not jumps_nowhere(rate)
+    return may_be_zero or not jumps_nowhere(rate)
 
 
 def divides(rate: Expr) -> bool:

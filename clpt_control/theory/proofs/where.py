@@ -14,27 +14,13 @@ from types import MappingProxyType
 from typing import Any
 
 import sympy
-from sympy import (
-    Add,
-    Dummy,
-    Expr,
-    Mul,
-    Rational,
-    S,
-    Symbol,
-    cos,
-    exp,
-    expand,
-    oo,
-    sin,
-    tanh,
-)
+from sympy import Add, Dummy, Expr, Mul, Rational, S, Symbol, exp, expand, oo
 
 from ...base.arguments import check_known, finite
 from ...base.errors import DiagramError
 from ...engine.diagram.symbol_names import TIME
 from ...engine.record.symbolic import rational
-from ..algebra.facts import CLIP, interval
+from ..algebra.facts import CLIP, RANGED, interval
 from ..algebra.texts import DIGITS, LARGEST, double
 from .signal_functions import undefined_in
 from .statements import Statement, joined, said
@@ -44,7 +30,6 @@ MOST_TURNS = 360  # pi/360 is a share of pi
 MOST_CORNERS = 64
 ABOVE = 1e-6  # least value of a state above 0, at points
 MOST = sympy.Integer(10) ** 100  # size of a bound
-RANGED = sin, cos, tanh  # from -1 to 1
 
 
 def rest_of(states: Sequence[Any], values: Mapping[str, float]) -> dict[Any, Expr]:
@@ -183,7 +168,7 @@ class Where:
         expanded = expand(rate)
         ends = dict[Any, tuple]()
         if waves and self.box:
-            ends = dict.fromkeys(rate.atoms(*RANGED), (-S.One, S.One))
+            ends = {call: interval(call) for call in rate.atoms(*RANGED)}
             slopes = ((e, e.args[0] / TIME) for e in rate.atoms(exp))
             fading = (e for e, c in slopes if c.is_Rational and c.is_negative)
             ends |= dict.fromkeys(fading, (S.Zero, S.One))
