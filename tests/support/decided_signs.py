@@ -12,6 +12,7 @@ __all__ = ["LETTERS", "expression_of", "is_never_positive"]
 LETTERS = "xyzrabkt"
 POSITIVE = {*sympy.symbols("a b k", positive=True)}
 FUNCTIONS = [
+    "inside",
     "gt",
     "ge",
     "lt",

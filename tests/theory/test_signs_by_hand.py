@@ -63,6 +63,61 @@ SMOOTH = """
 -x**2*cos(y)**2 - x**2
 -x**2 + x*sin(x)*cos(y)
 -a*x**2 + a*x*sin(x)*cos(y)
+-x**2 + 2*x*y - y**2
+-a*x**2 + 2*a*x*y - a*y**2
+-x**4 + 2*x**2*y**2 - y**4
+-x**4*y**2 - x**2*y**4 + 3*x**2*y**2 - 1
+-x**4 + x**2*y - y**2
+-x**2 + x*y - y**2 + y*z - z**2
+-2*a*x**2 + 2*b*x*y - b**2*y**2/a
+-a*x**2 + b*x - b**2/(4*a)
+-x**4 + 2*x**2 - 1
+-a*x**4 + 2*b*x**2 - b**2/a
+-(x - y)**2*(1 + z**2)
+-(x**2 - y**2)**2*exp(z)
+-x**2*y**2/(1 + z**2)
+-x**2/(1 + y**2) - y**2
+-x**2 + 2*x*y/(1 + z**2) - y**2
+-x**2*exp(-t)
+-x**2 + x**2*exp(-t)
+-x**2 - y**2 + 2*x*y*exp(-t)
+-a*x**2 - exp(-b*t)*y**2
+-x**2*(1 + t)
+-x**2*t - y**2*t + 2*x*y*t
+-x**2*(2 - cos(y)) + x**2*sin(z)
+-1 + cos(x)
+-a + a*cos(b*x)
+-2 + sin(x) + cos(y)
+-x*sin(x)**2*x
+-x*atan(x)/(1 + y**2)
+-(x + tanh(x))*x
+-(x - sin(x)/2)*tanh(x)
+-(exp(x) - 1)*x*b
+-(exp(x) - exp(y))*(x - y)
+-tanh(x)*(x - tanh(x))
+-x**3*tanh(x) - x**3*sinh(x)
+-x*sinh(x) - y**2 + x*y
+-x**2 - y**2 + x*y*erf(z)
+-log(1 + x**2)*x**2
+-x**2/sqrt(1 + x**2)
+-sqrt(1 + x**2) + 1
+-x*atan(a*x)*b
+-b*x*atan(x) - a*y*tanh(y) - x**2*y**2
+-x**6 + x**4 - x**2
+-x**2 - x*y*a - a**2*y**2
+-k*(a*x - b*y)**2 - x**2*k
+-a*b*x**2 - a*y**2 - b*z**2
+-x**2/a - a*y**2 + 2*x*y
+-(a*x**2 + b*y**2)*(x**2 + a)
+-x**2*(1 - tanh(y)**2)
+-x**2*(1 - sin(y)**2) - y**2
+-x**2*(1 - exp(-y**2))
+-x**2 + x*y*(1 - exp(-z**2)) - y**2
+-(tanh(x) - tanh(y))*(x - y)
+-x*tanh(x)**3
+-cosh(x) + 1
+-x**2*cosh(y) + x**2
+-x**2*acosh(2 + y**2)
 """.strip().splitlines()
 WITH_CASES = """
 -where(gt(x, 0), 1, 2)*x**2
@@ -114,9 +169,41 @@ where(gt(Abs(x), Abs(y)), -Abs(x), -Abs(y))
 -x**2 + where(and_(or_(gt(x, 1), le(x, 1)), gt(y, 0)), -y, 0)
 -x**2 + where(or_(and_(gt(x, 0), gt(y, 0)), and_(gt(x, 0), le(y, 0))), -x, 0)
 -x**2 - where(and_(gt(x, 0), gt(x, 0)), x, 0)
+-Abs(x) + x
+-Abs(x)**3 + x**3
+-Abs(x) - Abs(y) + Abs(x + y)
+-Abs(x)*Abs(y) + x*y
+-x*sign(x)
+-x*sign(x) + x
+-a*x*sign(x) - b*x**2
+-x*clip(x, -1, 1)
+-x**2 + x*clip(x, -1, 1)
+-2*x*clip(x, -a, a) + clip(x, -a, a)**2
+-x*clip(x, -2, 3) - x**2
+-maximum(x, 0)*x
+-maximum(x, 0)**2 + maximum(x, 0)*x
+-maximum(x, y) + x
+minimum(x, y) - x
+minimum(x, y) - maximum(x, y)
+-x**2 - floor(x)*x
+-x**2*inside(x, -1, 1)
+-x**2 + x**2*inside(y, -1, 1)
+-x**2 - u**2 + 2*x*u
+-(x - u)**2*b
+-x**2*u**2
+-x**2*(2 + sin(u))
+-x**2*maximum(1, y)
+-x**2*maximum(a, y) + a*x**2
+-where(gt(x, 0), x, -x)*where(gt(y, 0), 1, 2)
 """.strip().splitlines()
-# 1 + x <= exp(x); tanh(x)/2 <= asinh(x) beyond 0; both need a comparison of two functions
-OPEN = {"1 + x - exp(x)", "-asinh(x)*x + tanh(x)*x/2"}
+# need a comparison of two functions, as 1 + x <= exp(x), a power of one, or a range from an end
+OPEN = {
+    "1 + x - exp(x)",
+    "-asinh(x)*x + tanh(x)*x/2",
+    "-(tanh(x) - tanh(y))*(x - y)",
+    "-x*tanh(x)**3",
+    "-x**2*acosh(2 + y**2)",
+}
 POSITIVE = """
 -x**2 + x*sin(2*x)
 -a*x**2 + b*x*tanh(x)
@@ -132,6 +219,21 @@ where(gt(x, y), -x**2, x*y)
 -x**2 - where(or_(gt(x, 1), gt(y, 0)), x, 0)
 -x**2 - where(not_(gt(x, 1)), x - 1, 0)
 -x**2 + where(gt(u, 0), u, 0)*y**2
+-x**2 + x*y/(1 + y**2)
+-x**2 + 2*x*y - y**2/2
+-x**4*y**2 - x**2*y**4 + 3*x**2*y**2 - 999999/1000000
+-Abs(x) - Abs(y) + Abs(x + y) + Abs(x - y)/1000
+-x**2 + 2*x*clip(x, -1, 1)
+-x*clip(x, 1/10, 1)
+-2*maximum(x, y) + x + y + Abs(x)*1e-3
+-x*floor(x + 1/2) + 1/1000*x
+-x**2*(1 + sin(y)) - x*y/1000
+-x**2 + x**2*exp(t - 1)/2
+-x**2 - y**2 + 2*x*y*cosh(z)
+-(exp(x) - exp(y))*(x - 1.01*y)
+-tanh(x)*(x - 1.01*tanh(x))
+-a*x**2 + 2*b*x - b**2/(2*a)
+-x**2 - x*where(gt(x, 0), 1, 2)
 """.strip().splitlines()
 
 

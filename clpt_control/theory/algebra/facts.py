@@ -145,7 +145,7 @@ FACTS: dict[str, Fact] = {
     "erf": Fact("smooth", "bounded", (0, 2)),
     "asinh": Fact("smooth", "as all", (0, 1)),
     "sinh": Fact("smooth", sector=(1, oo), coq="sinh"),
-    "cosh": Fact("smooth", coq="cosh"),
+    "cosh": Fact("smooth", range=_constant(1, oo), coq="cosh"),
     "exp": Fact("smooth", grows=True, slope=(0, oo), coq="exp"),
     "log": Fact("smooth", grows=True, range=_range_of_log, coq="ln"),
     **dict.fromkeys(("erfc", "acosh", "atanh", "asin", "acos", "tan"), Fact("smooth")),
