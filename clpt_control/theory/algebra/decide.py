@@ -6,13 +6,13 @@ factors, forms -s^T M s with M >= 0, roots, sectors and pieces of functions.  At
 completed squares, common factors and intervals of the whole expression.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from functools import lru_cache
 from itertools import combinations, islice, pairwise, product
 
 import numpy as np
 import sympy
-from sympy import Add, Derivative, Dummy, Expr, Mul, Pow, S, Tuple, diff, expand, oo
+from sympy import Add, Derivative, Dummy, Expr, Mul, Pow, S, Tuple, expand
 
 from ...base.errors import DiagramError
 from ...engine.diagram.symbol_names import TIME
@@ -20,7 +20,7 @@ from .decided import decided
 from .exact import HIGHEST, MOST_TERMS, factored, groups_of, terms_of, vanishes
 from .facts import (
     WHERE,
-    Sector,
+    corners,
     facts_of,
     functions_in,
     inputs_in,
@@ -247,38 +247,16 @@ def _by_sectors(group: Expr, variables: set) -> bool:
     outer = sorted(functions - inner, key=str)
     if not outer or len(outer) > MOST_FUNCTIONS:
         return False
-    ratios = sympy.symbols(f"q_:{len(outer)}", real=True, cls=Dummy)
-    polynomial = group.xreplace(dict(zip(outer, ratios, strict=True)))
-    if not polynomial.is_polynomial(*ratios):
+    symbols = sympy.symbols(f"h_:{len(outer)}", real=True, cls=Dummy)
+    polynomial = group.xreplace(dict(zip(outer, symbols, strict=True)))
+    if not polynomial.is_polynomial(*symbols) or terms_of(polynomial) > MOST_TERMS:
         return False
-    known = map(sectors_of, outer)
-    ways = islice(product(*known), MOST_WAYS)
-    return any(_at_sector_ends(polynomial, ratios, way, variables) for way in ways)
-
-
-def _at_sector_ends(
-    polynomial: Expr, ratios: tuple, sectors: Sequence[Sector], variables: set
-) -> bool:
-    """Test a polynomial, if it is convex in each ratio q, at the ends of the sectors."""
-    pairs = [*zip(ratios, sectors, strict=True)]
-    for ratio, sector in pairs:
-        curvature = diff(polynomial, ratio, 2)
-        is_convex = curvature.is_nonnegative and sector.high < oo
-        if curvature != 0 and not is_convex:
-            return False
-    functions = {q: sector.factor * q + sector.offset for q, sector in pairs}
-    expression = polynomial.xreplace(functions)
-    if terms_of(expression) > MOST_TERMS:
-        return False
-    corners = [expand(expression)]
-    for ratio, sector in pairs:
-        lower = [corner.xreplace({ratio: sector.low}) for corner in corners]
-        if sector.high == oo:  # the slope counts
-            upper = [diff(corner, ratio) for corner in corners]
-        else:
-            upper = [corner.xreplace({ratio: sector.high}) for corner in corners]
-        corners = lower + upper
-    return all(groups_never_positive(expand(c), variables) for c in {*corners})
+    ways = islice(product(*map(sectors_of, outer)), MOST_WAYS)
+    return any(
+        all(groups_never_positive(e, variables) for e in {*of_way.values()})
+        for way in ways
+        if (of_way := corners(polynomial, dict(zip(symbols, way, strict=True))))
+    )
 
 
 # --- functions piece by piece ---------------------------------------------------------------

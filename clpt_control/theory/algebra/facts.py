@@ -9,7 +9,7 @@
 - **kind**: smooth, a kink, a step (constant except where it jumps), or a choice of branches.
 """
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from functools import lru_cache
 from itertools import combinations
 from math import inf
@@ -17,7 +17,7 @@ from operator import ge, gt, le, lt
 from typing import Any, Literal, NamedTuple
 
 import sympy
-from sympy import Abs, Add, Dummy, Expr, Function, Max, Min, S, log, oo, sympify
+from sympy import Abs, Add, Dummy, Expr, Function, Max, Min, S, expand, log, oo, sympify
 from sympy.core.function import AppliedUndef
 
 from ...engine.diagram.symbol_names import TIME
@@ -259,6 +259,28 @@ class Sector(NamedTuple):
     # whether q > 0 except at s = 0, and s h(s) never falls with |s|
     rises: bool = False
     offset: Any = 0
+
+
+def corners(e: Expr, sectors: Mapping[Any, Sector]) -> dict[tuple, Expr]:
+    """Return the ends of symbols -> an expression there; nothing unless it is convex in each.
+
+    It is at most the largest of the values.  Of a ratio without an upper end the slope counts.
+    """
+    found: dict[tuple, Expr] = {(): e}
+    for s, (factor, low, high, _, offset) in sectors.items():
+        bends = [at.diff(s, 2) for at in found.values()]
+        if not all(b == 0 or (b.is_nonnegative and high < oo) for b in bends):
+            return {}
+        found = {
+            (*ends, end): expand(
+                factor * at.diff(s)
+                if end == oo
+                else at.xreplace({s: end * factor + offset})
+            )
+            for ends, at in found.items()
+            for end in (low, high)
+        }
+    return found
 
 
 def sectors_of(call: Any) -> list[Sector]:

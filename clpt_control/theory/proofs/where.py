@@ -20,7 +20,7 @@ from ...base.arguments import check_known, finite
 from ...base.errors import DiagramError
 from ...engine.diagram.symbol_names import TIME
 from ...engine.record.symbolic import rational
-from ..algebra.facts import CLIP, RANGED, interval
+from ..algebra.facts import CLIP, RANGED, Sector, corners, interval
 from ..algebra.texts import DIGITS, LARGEST, double
 from .signal_functions import undefined_in
 from .statements import Statement, joined, said
@@ -165,26 +165,21 @@ class Where:
         it is at most the mean of the rates at the corners, and that mean if it is affine.  Waves in
         the rate may be taken as inputs.
         """
-        expanded = expand(rate)
-        ends = dict[Any, tuple]()
+        expanded, functions = expand(rate), list[Expr]()
         if waves and self.box:
-            ends = {call: interval(call) for call in rate.atoms(*RANGED)}
             slopes = ((e, e.args[0] / TIME) for e in rate.atoms(exp))
-            fading = (e for e, c in slopes if c.is_Rational and c.is_negative)
-            ends |= dict.fromkeys(fading, (S.Zero, S.One))
+            functions += rate.atoms(*RANGED)
+            functions += (e for e, c in slopes if c.is_Rational and c.is_negative)
         for d in self.box:
             is_even = not expanded.xreplace({d**2: S.One}).has(d)
-            f = d**2 if is_even else d
-            ends[f] = range_in(f, self.box)
-        names = {f: Dummy(real=True) for f in ends if expanded.has(f)}
-        as_inputs = self.at_corners(expanded.xreplace(names), names, ends)
+            functions.append(d**2 if is_even else d)
+        names = {f: Dummy(real=True) for f in functions if expanded.has(f)}
+        as_inputs = self.at_corners(expanded.xreplace(names), names)
         # a function of an input without an end may come near its own end, and not to it
         is_open = {*self.box} - {*self.bounded}
         if as_inputs or (is_open and not waves):
             return as_inputs
-        of_inputs, names = self.in_functions(expanded)
-        ends = {f: range_in(f, self.box) for f in names}
-        return self.at_corners(of_inputs, names, ends)
+        return self.at_corners(*self.in_functions(expanded))
 
     def in_functions(self, expanded: Expr) -> tuple[Expr, dict]:
         """Return a rate with a symbol for each function of inputs, and these.
@@ -203,26 +198,20 @@ class Where:
                 )
         return Add(*(rest * weight for rest, weight in weights.items())), functions
 
-    def at_corners(
-        self, rate: Expr, names: Mapping[Any, Any], ends: Mapping[Any, tuple]
-    ) -> list[tuple]:
+    def at_corners(self, rate: Expr, names: Mapping[Any, Any]) -> list[tuple]:
         """Return a rate where the symbols of functions are at their ends, as `corners` does."""
-        corners: list[tuple] = [((), rate)]
-        for meaning, s in names.items():
-            low, high = ends[meaning]
-            bends = [expand(at.diff(s, 2)) for _, at in corners]
-            is_convex = all(b.is_nonnegative and not b.has(s) for b in bends)
-            if not is_convex or high - low == oo or len(corners) >= MOST_CORNERS:
-                return []
-            corners = [
-                (
-                    (*shares, expand((meaning - other) / (end - other))),
-                    expand(at.xreplace({s: end})),
-                )
-                for shares, at in corners
-                for end, other in ((low, high), (high, low))
-            ]
-        return [] if rate.has(*self.box) else corners
+        ends = {f: range_in(f, self.box) for f in names}
+        is_open = any(high - low == oo for low, high in ends.values())
+        if rate.has(*self.box) or is_open or 2 ** len(names) > MOST_CORNERS:
+            return []
+
+        def share(f: Expr, end: Expr) -> Expr:
+            other = Add(*ends[f]) - end
+            return expand((f - other) / (end - other))
+
+        sectors = {s: Sector(S.One, *ends[f]) for f, s in names.items()}
+        found = corners(rate, sectors).items()
+        return [(tuple(map(share, names, chosen)), at) for chosen, at in found]
 
     def is_of_inputs(self, e: Expr) -> bool:
         """Return whether an expression holds inputs with bounds, and nothing else."""
@@ -243,7 +232,8 @@ def range_in(function: Expr, box: Mapping[Any, tuple]) -> tuple:
     if function in box:
         return box[function]
     inputs = [d for d in box if function.has(d)]
-    found = None if inputs[1:] else _range_of_fraction(function, inputs[0], box)
+    of_one = len(inputs) == 1
+    found = _range_of_fraction(function, inputs[0], box) if of_one else None
     if found is None:
         parts = {a: _within(*range_in(a, box)) for a in function.args if a.has(*inputs)}
         found = interval(function.xreplace(parts))
