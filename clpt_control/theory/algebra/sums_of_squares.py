@@ -326,11 +326,12 @@ def lost_forms(loss: Expr, fixed: set, bounded: set) -> list[Expr]:
     if q.has(*bounded) and _has_ends(q, fixed | bounded):
         loss = expand(p)
     total, product = squares(loss, fixed), factored(loss)
-    forms = total.forms if total and total.constant.is_nonnegative else []
-    for e in (product, loss):
-        forms = max(forms, _forms_of_terms(e, fixed, bounded), key=len)
-    forms = forms or _forms_of_terms(sympy.expand_mul(product), fixed, bounded)
-    return [*dict.fromkeys(map(_without_weights, forms))]
+    found = [total.forms if total and total.constant.is_nonnegative else []]
+    for e in (product, loss, sympy.expand_mul(product)):
+        forms = [_lost_form(term, fixed, bounded) for term in Add.make_args(e)]
+        found.append([] if None in forms else [form for form in forms if form != 0])
+    most = max(found, key=len)
+    return [*dict.fromkeys(map(_without_weights, most))]
 
 
 def alone_in_groups(loss: Expr, rest: Mapping[Any, Expr]) -> Iterator[Expr]:
@@ -345,12 +346,6 @@ def alone_in_groups(loss: Expr, rest: Mapping[Any, Expr]) -> Iterator[Expr]:
             yield decided(loss.xreplace(others))
 
 
-def _forms_of_terms(e: Expr, fixed: set, bounded: set) -> list[Expr]:
-    """Return the forms of the terms of a sum; [] if a term may be negative."""
-    forms = [_lost_form(term, fixed, bounded) for term in Add.make_args(e)]
-    return [] if None in forms else [form for form in forms if form != 0]
-
-
 def _without_weights(form: Expr) -> Expr:
     """Return a form without the factors that stay away from zero."""
     kept = [f for f in Mul.make_args(form) if not stays_off_zero(f)]
@@ -359,29 +354,14 @@ def _without_weights(form: Expr) -> Expr:
 
 def _lost_form(term: Expr, fixed: set, bounded: set) -> Expr | None:
     """Return a form of a term that is never negative, 0 for none; None if it may be negative."""
-    term = Mul(*map(of_same_sign, Mul.make_args(term)))
-    parts = [part.as_base_exp() for part in Mul.make_args(term)]
-    form, odd, weight = S.One, list[Expr](), S.One
-    for base, power in parts:
-        if power.is_Integer and power > 0 and power % 2 == 0:
-            form *= base
-        elif isinstance(base, Abs):
-            form *= base.args[0]
-        elif (
-            base.is_Symbol
-            and power.is_Integer
-            and power > 0
-            and not (base in fixed or base.is_nonnegative)
-        ):
-            odd.append(base)
+    form, weight = S.One, S.One
+    for factor in Mul.make_args(Mul(*map(of_same_sign, Mul.make_args(term)))):
+        base, power = factor.as_base_exp()
+        is_size = isinstance(base, Abs)
+        if power.is_positive and (is_size or power.is_even):
+            form *= base.args[0] if is_size else base
         else:
-            weight *= base**power
-    while odd:
-        s = odd.pop()
-        if s not in odd:
-            return None
-        odd.remove(s)
-        form *= s
+            weight *= factor
     low = interval(weight)[0]
     if low.is_positive or _has_ends(weight, fixed | bounded):
         return form
@@ -452,22 +432,13 @@ def simplest(forms: Sequence[Expr], fixed: set) -> list[Expr]:
     rows = [Poly(written[e], *signals) for e in linear]
     weights = [row.coeff_monomial(s) for row in rows for s in (*signals, 1)]
     M = Matrix(len(rows), len(signals) + 1, weights)
-    done = 0
-    for column in range(len(signals) if rows[1:] else 0):
-        below = [k for k in range(done, M.rows) if M[k, column] != 0]
-        pivot = next((k for k in below if M[k, column].is_nonzero), None)
-        if pivot is None and below:
-            return [*forms]
-        if pivot is not None:
-            M.row_swap(done, pivot)
-            M[done, :] = M[done, :] / M[done, column]
-            for k in {*range(M.rows)} - {done}:
-                M[k, :] -= M[k, column] * M[done, :]
-            M, done = M.applyfunc(cancel), done + 1
+    reduced, pivots = M.rref(simplify=cancel)
+    kept = M.extract([*range(M.rows)], pivots)
+    is_known = len(signals) not in pivots and (kept.T * kept).det().is_nonzero
     back = {s: f for f, s in inputs.items()}
-    shorter = [e.xreplace(back) for e in M * Matrix([*signals, 1]) if e != 0]
+    shorter = [e.xreplace(back) for e in reduced * Matrix([*signals, 1]) if e != 0]
     sizes = [sum(map(sympy.count_ops, of)) for of in (shorter, linear)]
-    if done < len(shorter) or sizes[0] >= sizes[1]:
+    if not (is_known and rows[1:]) or sizes[0] >= sizes[1]:
         return [*forms]
     return shorter + [e for e in forms if e not in linear]
 

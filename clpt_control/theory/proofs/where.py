@@ -9,7 +9,7 @@ bounds.  Sines, cosines, tanh and e^(-c t) are between numbers, as inputs are.
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from math import pi
+from math import isinf, pi
 from types import MappingProxyType
 from typing import Any
 
@@ -66,17 +66,17 @@ class Where:
         check_known("where", given, names)
         for name, numbers in given.items():
             s = names[name]
-            rationals = (
-                None if end is None else rational(float(end)) for end in numbers
-            )
-            ends = [None if end in (None, oo, -oo) else end for end in rationals]
-            finite = [end for end in ends if end is not None]
+            ends = [
+                no_end if end is None or isinf(end) else rational(float(end))
+                for end, no_end in zip(numbers, (-oo, oo), strict=False)
+            ]
+            finite = [end for end in ends if end.is_finite]
             is_input = s in inputs
             if is_input and V.has(s):
                 raise DiagramError(
                     f"where: V depends on input {name}. Give a V of states"
                 )
-            is_set = len(ends) == 2 and finite == sorted(finite)
+            is_set = len(numbers) == 2 and finite == sorted(finite)
             # squares of bounds are numbers
             sized = [end for end in finite if end == 0 or 1 / MOST <= abs(end) <= MOST]
             if not is_set or (is_input and not (finite == sized != [])):
@@ -88,19 +88,16 @@ class Where:
             if is_input and low == high:
                 self.values[s] = low
             elif is_input:
-                self.box[s] = [-oo, low][low is not None], [oo, high][high is not None]
+                self.box[s] = low, high
             else:
                 self.kept[s] = low, high
                 for end, sign in ((low, 1), (high, -1)):
-                    if end is not None:
+                    if end.is_finite:
                         root = Dummy(name, real=True)
                         self.roots[root] = sign * (s - end)
                         self.squared.setdefault(s, end + sign * root**2)
-            if s.is_positive:
-                continue
-            self.inside[s] = _within(
-                -oo if low is None else low, oo if high is None else high
-            )
+            if not s.is_positive:
+                self.inside[s] = _within(low, high)
 
     @property
     def above(self) -> list:
