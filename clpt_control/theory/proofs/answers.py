@@ -23,6 +23,7 @@ class Definite(NamedTuple):
     exist: Set[Any] = frozenset()  # states that exist for all times, however they grow
     off_zero: Set[Any] = frozenset()  # states above 0 that V keeps away from it
     most_lost: str = "V(0)"  # what V may lose at most, as text
+    is_convex: bool = False  # V is least where its slopes are 0
 
 
 @dataclass

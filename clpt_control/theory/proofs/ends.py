@@ -22,7 +22,7 @@ from ..algebra.decide import never_positive
 from ..algebra.decided import decided
 from ..algebra.exact import coarse, factored, normal_form, terms_of, vanishes
 from ..algebra.facts import RISING, functions_in, side_of, stays_off_zero
-from ..algebra.slopes import along, jumps_nowhere, of_same_sign
+from ..algebra.slopes import along, jumps_nowhere, of_same_sign, slope_in
 from ..algebra.sums_of_squares import Squares, rising_in, squares, zero_of
 from .answers import Definite, Fall
 from .outside import ANGLES, Motion
@@ -81,7 +81,10 @@ def ends(candidate: Any, definite: Definite, fall: Fall, motion: Motion) -> Ends
     found = joined(" or ", (joined(", ", of_case) for of_case in zeros))
     claim = said("where V' = 0 for good nothing moves: {}", found)
     shows = "limit still" + " isolated" * all(case.comes_to_one for case in cases)
-    shows += " rest" * (point_of(cases) is not None)
+    convex_in = definite.forms if definite.is_convex else ()
+    slopes = [slope_in(candidate.V, s) for s in convex_in]
+    is_least = slopes and not any(c.reduced(g) for c in cases for g in slopes)
+    shows += " rest" * bool(is_least or point_of(cases) is not None)
     return Ends([exact(claim, True, "", shows)], of, cases)
 
 

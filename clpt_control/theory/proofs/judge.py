@@ -35,6 +35,7 @@ from ...engine.diagram.symbol_names import TIME
 from ...engine.diagram.symbolic_equations import Equations
 from ...engine.diagram.wiring import wiring_of
 from ...engine.model.declaration import Each
+from ..algebra.convex import has_one_least_point
 from ..algebra.decide import never_positive
 from ..algebra.exact import normal_form, vanishes
 from ..algebra.facts import is_continuous
@@ -247,7 +248,7 @@ class LyapunovCandidate(ABC):
             zero = dict.fromkeys(off.values(), 0)
             total = total if all(vanishes(f.subs(zero)) for f in total.forms) else None
         if not total or not total.forms:
-            return Definite(exact(claim, False, "not shown"))
+            return self.convex() or Definite(exact(claim, False, "not shown"))
         back = {d: s - r for s, d, r in at_rest}
         logs = {d: log(s) - log(r) for s, d, r in at_rest if s in exps}
         forms = [back.get(form) or form.xreplace(back | logs) for form in total.forms]
@@ -263,6 +264,8 @@ class LyapunovCandidate(ABC):
         if {*self.where.above} - off_zero:  # nothing is known of the end of an open set
             return Definite(step, [*forms, *at_start], most_lost=lost)
         least = zero_of(total._replace(forms=forms), contained)
+        if least is None and (convex := self.convex()):
+            return convex
         answer = Definite(step, forms, least, off_zero=off_zero, most_lost=lost)
         motion, numbers = self.moving(answer, {}), (least or {}).values()
         motion.outside()
@@ -276,6 +279,19 @@ class LyapunovCandidate(ABC):
         is_steady = not motion.not_bounded(level)
         step = replace(step, shows=shows if is_steady else "definite")
         return answer._replace(step=step, is_steady=is_steady)
+
+    def convex(self) -> Definite | None:
+        """Return that V has one least point, of no closed form, as it is convex; or None."""
+        states = [s for s in self.motion if self.V.has(s)]
+        at_ends = self.rest or self.where.kept  # which V may be least at
+        if at_ends or not has_one_least_point(self.V, states, self.fixed):
+            return None
+        names = joined(", ", map(self.text, states))
+        claim = said("V is strictly convex in {}, and grows without end", names)
+        holds_all = self.is_whole and len(states) == len(self.motion)
+        step = exact(claim, True, "", "definite" + " all" * holds_all)
+        lost = "a number"  # V may be below 0
+        return Definite(step, states, is_steady=True, most_lost=lost, is_convex=True)
 
     @abstractmethod
     def falls(self, definite: Definite) -> Fall:
