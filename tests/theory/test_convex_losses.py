@@ -2,7 +2,8 @@
 
 A strictly convex loss that grows without end has one least point: where its slopes are zero.  By
 hand: slopes of one state that rise from below 0 to above 0; or a positive definite quadratic form
-beside convex terms.  A trap has no least point, or others where nothing moves.
+beside convex terms.  A trap has no least point, or others where nothing moves.  On an open set,
+x > 0, V that grows without end at 0 keeps runs away from it, or a rate that is positive near 0.
 """
 
 import numpy as np
@@ -144,3 +145,105 @@ def test_what_a_loss_below_zero_loses_is_not_bounded_by_its_start():
     )
     verdict = clpt.lyapunov(block, lambda s: of_tilted(s.x))
     assert "V(0)" not in verdict.sentence
+
+
+def entropy(x):
+    return x * np.log(x) - x + 1
+
+
+def spring_and_barrier(x):
+    return x**2 / 2 - np.log(x) - 0.5
+
+
+def damped(x):
+    return {"x": 1 / x.x - x.x - x.y, "y": x.x - 1 / x.x - x.y}
+
+
+ABOVE = {"x": (0, None)}
+OPEN_SETS = {  # rates, V, sets, the rest; then the conclusion
+    "V keeps x away from 0": (
+        lambda x: {"x": 1 / x.x - x.x},
+        lambda s: spring_and_barrier(s.x),
+        ABOVE,
+        {"x": 1.0},
+        "asymptotically stable",
+    ),
+    "with a state beside it": (
+        damped,
+        lambda s: spring_and_barrier(s.x) + s.y**2 / 2,
+        ABOVE,
+        {"x": 1.0},
+        "asymptotically stable",
+    ),
+    "a turning one": (
+        lambda x: {"x": -x.y, "y": x.x - 1 / x.x},
+        lambda s: spring_and_barrier(s.x) + s.y**2 / 2,
+        ABOVE,
+        {"x": 1.0},
+        "stable",
+    ),
+    "the rate keeps x away from 0": (
+        lambda x: {"x": -np.log(x.x)},
+        lambda s: entropy(s.x),
+        ABOVE,
+        {"x": 1.0},
+        "asymptotically stable",
+    ),
+    "least where it is not said": (
+        lambda x: {"x": -np.log(x.x), "y": -np.log(x.y)},
+        lambda s: entropy(s.x) + entropy(s.y),
+        ABOVE | {"y": (0, None)},
+        None,
+        "asymptotically stable",
+    ),
+    "Volterra, least where it is not said": (
+        lambda x: {"x": x.x * (1 - x.y), "y": x.y * (x.x - 1)},
+        lambda s: s.x - np.log(s.x) + s.y - np.log(s.y),
+        ABOVE | {"y": (0, None)},
+        None,
+        "stable",
+    ),
+    # traps: y falls to 0 in the time 1/2, which V does not see
+    "another state leaves": (
+        lambda x: {"x": 1 / x.x - x.x, "y": -1 / x.y},
+        lambda s: spring_and_barrier(s.x),
+        ABOVE | {"y": (0, None)},
+        {"x": 1.0},
+        "",
+    ),
+    # x passes 1.2 from (1, -1), which V does not see
+    "an upper end": (
+        damped,
+        lambda s: spring_and_barrier(s.x) + s.y**2 / 2,
+        {"x": (0, 1.2)},
+        {"x": 1.0},
+        "",
+    ),
+    # x' = -1 - 1/x reaches 0, where V is 1
+    "V has an end at 0": (
+        lambda x: {"x": -1 - 1 / x.x},
+        lambda s: (s.x + 1) ** 2 + 0 * np.log(s.x),
+        ABOVE,
+        None,
+        "",
+    ),
+    # V is least at 0, which is no state
+    "least at the end": (
+        lambda x: {"x": -x.x * (1 + np.log(1 + x.x))},
+        lambda s: s.x + s.x * np.log(1 + s.x),
+        ABOVE,
+        None,
+        None,
+    ),
+}
+
+
+@pytest.mark.parametrize("name", OPEN_SETS)
+def test_V_or_a_rate_keeps_an_open_set(name):
+    rates, V, sets, rest, conclusion = OPEN_SETS[name]
+    states = "xy" if "y" in (*V.__code__.co_names, *sets) else "x"
+    verdict = clpt.lyapunov(loop(rates, states), V, where=sets, at=rest)
+    if conclusion is None:
+        assert verdict.conclusion not in ("asymptotically stable", "stable")
+    else:
+        assert verdict.conclusion == conclusion

@@ -283,15 +283,25 @@ class LyapunovCandidate(ABC):
     def convex(self) -> Definite | None:
         """Return that V has one least point, of no closed form, as it is convex; or None."""
         states = [s for s in self.motion if self.V.has(s)]
-        at_ends = self.rest or self.where.kept  # which V may be least at
-        if at_ends or not has_one_least_point(self.V, states, self.fixed):
+        has_end = len(self.where.roots) > len(self.where.above)  # V may be least there
+        if has_end or not has_one_least_point(self.V, states, self.fixed):
+            return None
+        if self.rest and any(self.V.diff(s).subs(self.rest) != 0 for s in states):
             return None
         names = joined(", ", map(self.text, states))
-        claim = said("V is strictly convex in {}, and grows without end", names)
+        claim = said("V is strictly convex in {}, and least at one point", names)
         holds_all = self.is_whole and len(states) == len(self.motion)
         step = exact(claim, True, "", "definite" + " all" * holds_all)
-        lost = "a number"  # V may be below 0
-        return Definite(step, states, is_steady=True, most_lost=lost, is_convex=True)
+        answer = Definite(step, states, is_steady=True, is_convex=True)
+        # where their rates, of themselves alone, are positive near 0
+        off_zero = {
+            s
+            for s in self.where.above
+            if self.motion[s].free_symbols <= {s, *self.fixed}
+            and sympy.limit(self.motion[s], s, 0).is_extended_positive
+            and not (self.eq.jumps or self.eq.discrete)
+        }
+        return answer._replace(off_zero=off_zero, most_lost="a number")
 
     @abstractmethod
     def falls(self, definite: Definite) -> Fall:

@@ -162,7 +162,8 @@ class SystemCandidate(LyapunovCandidate):
         motion = self.moving(definite, fall.zeroed)
         steps = self.relations.steps(self.never_positive, motion)
         self.driving = motion.driving - fall.zeroed.keys()
-        are_kept = all(map(self._keeps, self.where.roots.values()))
+        by_V = definite.off_zero if fall.holds else frozenset()
+        are_kept = all(self._keeps(end, by_V) for end in self.where.roots.values())
         return (
             steps if are_kept else [exact(said("{} is kept", self.where.sets), False)]
         )
@@ -188,8 +189,11 @@ class SystemCandidate(LyapunovCandidate):
         self.is_rounded = True
         return of_numbers
 
-    def _keeps(self, margin: Expr) -> bool:
-        """Return whether a margin of a state stays above 0, by its rate there and at jumps."""
+    def _keeps(self, margin: Expr, by_V: Set[Any] = frozenset()) -> bool:
+        """Return whether a margin of a state stays above 0, by its rate there and at jumps.
+
+        States that V, or their rates, keep away from 0 are given as `by_V`.
+        """
         (s,) = margin.free_symbols
         rate, jumps, is_open = self.motion[s], self.eq.jumps.values(), s.is_positive
         nexts = [{s: rate}] if self.eq.discrete else jumps
@@ -203,7 +207,11 @@ class SystemCandidate(LyapunovCandidate):
         at_0, slope = rate.xreplace(closed), sympy.diff(margin, s)
         at_end = (slope * rate).xreplace({s: s - margin / slope})
         is_lipschitz = not (forks(at_0, self.fixed) or (closed and divides(at_0)))
-        return self.eq.discrete or (is_lipschitz and self.never_positive(-at_end))
+        return (
+            self.eq.discrete
+            or margin in by_V
+            or (is_lipschitz and self.never_positive(-at_end))
+        )
 
     def kept_signs(self) -> dict[str, tuple]:
         """Return states of V', but not of V, that stay at 0 or above if they begin so."""
@@ -422,7 +430,7 @@ class SystemCandidate(LyapunovCandidate):
         motion = self.moving(definite, zeroed)
         motion.outside()
         bounded = {s for s in self.states if not motion.not_bounded(s)}
-        bounded -= {*self.where.above}  # which may come near 0
+        bounded -= {*self.where.above} - definite.off_zero  # which may come near 0
         losses = forms_lost(self, bound, bounded)
         if not claim.endswith("= 0"):
             claim = said("{} <= 0", claim)
