@@ -48,7 +48,7 @@ from ..proofs.symbolic_loop import (
     symbolic_loop,
 )
 from ..proofs.system_candidate import SystemCandidate
-from ..proofs.ultimate_bounds import bounded, pulled_forms
+from ..proofs.ultimate_bounds import bound_of_V, bounded
 from ..proofs.where import NOTHING
 from .default_candidate import WEIGHTS, LawV
 from .promises import truth_of
@@ -213,7 +213,7 @@ class LawCandidate(LoopCandidate, SystemCandidate):
         """Return the set that V comes to under a disturbance; `fall` if none is known."""
         if definite.least is None or any(self.zones):
             return fall
-        bound = pulled_forms(self.disturbed(), definite)
+        bound = bound_of_V(self.disturbed(), definite)
         if bound is None:
             return fall
         bound.residual = fall.residual

@@ -52,7 +52,7 @@ from ..algebra.sums_of_squares import squares
 from ..algebra.texts import short
 from .answers import Definite, Fall
 from .outside import CLOCK
-from .ultimate_bounds import Bounding, in_forms
+from .ultimate_bounds import UltimateBound, in_errors_of_V
 
 
 class NotASum(Exception):
@@ -302,14 +302,14 @@ def of_system(case: Any, definite: Definite, fall: Fall) -> Ways:
         return terms
 
     def pulls() -> Case:
-        terms, written = in_forms(case, definite), system()
-        pull = terms and Bounding(case, terms).pull()
+        terms, written = in_errors_of_V(case, definite), system()
+        pull = terms and UltimateBound(case, terms).rate_bound()
         if terms is None or pull is None:
             raise NotASum("V' is no push less a rate times V")
         if not (case.where.box or all(n.is_Rational for n in pull)):
             return pulled(written, *terms._replace(rate=without_calls(terms.rate)))
-        losses = within(pull.push - pull.rate * case.V, True)
-        return replace(written, losses=losses, push=pull.push, decay=pull.rate)
+        losses = within(pull.push - pull.decay * case.V, True)
+        return replace(written, losses=losses, push=pull.push, decay=pull.decay)
 
     return [partial(checked, falls if fall.level is None else pulls)]
 

@@ -56,7 +56,7 @@ from .signal_functions import expression_of, undefined_in
 from .statements import Statement, joined, said
 from .steps import Step, checked, exact
 from .symbolic_loop import refuse_no_rates
-from .ultimate_bounds import pulled_forms
+from .ultimate_bounds import bound_of_V
 from .where import NOTHING, Where, rest_of
 
 MOST_IN_PRODUCT = 1000  # terms of a fraction that is factored
@@ -455,7 +455,7 @@ class SystemCandidate(LyapunovCandidate):
         *claimed, _ = fall.steps
         if self.claim is not None and not claimed:
             return fall
-        bound = pulled_forms(self, definite) or mean_of(self, definite)
+        bound = bound_of_V(self, definite) or mean_of(self, definite)
         conditions = self.conditions([])
         if bound is None:
             return replace(fall, steps=claimed or fall.steps, conditions=conditions)

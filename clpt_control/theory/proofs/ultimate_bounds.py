@@ -1,8 +1,13 @@
-"""Ultimate bounds of V from dissipative terms and leaks.
+"""Bounds of V where V' is not always negative: ultimate bounds, levels and means.
 
-A term that pulls back bounds one that does not:
+In: V and V' in its errors (`VInErrors`).  Out: a `Fall` with a claim on V', the level of V, and
+conditions.  `WAYS` are tried in turn.  Most complete a square,
 
     -a s^2 + b s <= -(a/2) s^2 + b^2/(2 a)
+
+for each error s, which gives an upper bound of V' (`RateBound`):
+
+    V' <= -k V + c                        =>  V <= c/k in the end
 
 Of a law V' = -e^T KD e - sum over leaks of f w s^T (s - s*) is read as `leaks` describes.  The kind
 of f then bounds V:
@@ -21,7 +26,8 @@ Delta is the disturbance of Eq. (32), which adds e^T Delta to V'.
 """
 
 from collections.abc import Iterable, Sequence
-from itertools import takewhile
+from functools import cached_property
+from itertools import chain, takewhile
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -64,10 +70,21 @@ ABOVE = "where V is above a level"
 FAR = 1e9  # larger maxima are none
 
 
-class Pull(NamedTuple):
-    """V' <= -rate V + push, or -e^T KD e/2 + push where rate is zero."""
+class VInErrors(NamedTuple):
+    """V and V' of a diagram; each linear form of V with several states is one state, an error."""
 
-    rate: Expr  # in what the law does not know: theta, KD and GammaD
+    V: Expr
+    rate: Expr  # V'
+    least: dict[Any, Expr]  # state -> its value where V is least
+    distances: dict[
+        Any, Expr
+    ]  # state -> its distance from there, in the diagram's states
+
+
+class RateBound(NamedTuple):
+    """An upper bound of V': -decay V + push; or -e^T KD e/2 + push, if decay is zero."""
+
+    decay: Expr  # in what the law does not know: theta, KD and GammaD
     push: Expr
 
 
@@ -80,19 +97,63 @@ def bounded(claim: str, shows: str, level: Any = None, **fields: Any) -> Fall:
     return Fall([step], claim, level=level, **fields)
 
 
-def _pull_of(quadratic: Expr, s: Symbol, moves: set) -> Pull | None:
-    """Return a and b^2/(2 a) of -a s^2 + b s."""
-    a, b = -quadratic.coeff(s, 2), quadratic.coeff(s, 1)
-    if expand(quadratic + a * s**2 - b * s) != 0:
+def bound_of_V(case: Any, definite: Definite) -> Fall | None:
+    """Return the bound of V of a candidate, if one is known.
+
+    Disturbances push errors, V' = ... + w u s, and have any bound, called as they are.
+    """
+    in_errors = in_errors_of_V(case, definite) if definite.forms else None
+    if in_errors is None or case.where.above:  # forms are those of V at the start
         return None
+    fall = UltimateBound(case, in_errors).fall()
+    least = in_errors.V.xreplace(in_errors.least)
+    if fall is None or least.xreplace(case.eq.values) != 0:
+        return None
+    if fall.level is not None:
+        level = fall.level.xreplace(case.given).xreplace(case.level_values)
+        if level != fall.level and not fall.bound:  # the sentence has the number
+            case.are_numbers = True
+        fall.level = float(at_most(float(level))) if level.is_number else level
+    return fall
+
+
+def in_errors_of_V(case: Any, definite: Definite) -> VInErrors | None:
+    """Return V and V' of a candidate in errors; None where V has no one least point."""
+    states, forms = errors_of(case, definite.forms, least=2)
+    V, rate = (expand(e.xreplace(states)) for e in (case.V, case.rate))
+    total = squares(V, case.fixed)
+    if total is None:  # linear in states of sets
+        V, rate = (expand(e.xreplace(case.where.squared)) for e in (V, rate))
+        total, forms = squares(V, case.fixed), case.where.roots
+    moving = sorted(V.free_symbols - case.fixed, key=str)
+    least = zero_of(total, moving) if total else None
+    if least is None:
+        return None
+    distances = {s: forms.get(s, s) - value for s, value in least.items()}
+    return VInErrors(V, rate, least, distances)
+
+
+# --- V' bounded term by term ----------------------------------------------------------------------
+
+
+def quadratic_terms(e: Expr, states: Iterable[Any]) -> tuple[dict[Any, tuple], Expr]:
+    """Return state -> (a, b) of its terms -a s^2 + b s, and what else an expression has."""
+    terms = {s: (-e.coeff(s, 2), e.coeff(s, 1)) for s in states}
+    return terms, expand(e - Add(*(b * s - a * s**2 for s, (a, b) in terms.items())))
+
+
+def _complete_square(term: Expr, s: Symbol, moving: set) -> RateBound | None:
+    """Return the bound of -a s^2 + b s by -(a/2) s^2 and a constant."""
+    terms, remainder = quadratic_terms(term, [s])
+    a, b = terms[s]
     is_flat = a == 0 and b != 0
-    if not a.is_nonnegative or _moves(Tuple(a, b), moves) or is_flat:
+    if remainder != 0 or not a.is_nonnegative or _moves(Tuple(a, b), moving) or is_flat:
         return None
-    return Pull(a, b**2 / (2 * a) if b != 0 else S.Zero)
+    return RateBound(a, b**2 / (2 * a) if b != 0 else S.Zero)
 
 
-def _leak_of(term: Expr, s: Symbol, true: Expr) -> Pull | None:
-    """Return how -f a^2k a (a - a*) pulls, a = a* + s, for f between two numbers.
+def _bound_of_leak(term: Expr, s: Symbol, true: Expr) -> RateBound | None:
+    """Return the bound of -f a^2k a (a - a*), a = a* + s, for f between two numbers.
 
     It is not positive but where |a| < |a*|, and there at most f |a*|^(2k + 2)/4; where f keeps away
     from zero and k is 0 it is -f s^2/2 and at most f |a*|^2/2.
@@ -102,49 +163,42 @@ def _leak_of(term: Expr, s: Symbol, true: Expr) -> Pull | None:
     if not of_a.is_polynomial(a):
         return None
     share, remainder = sympy.div(of_a, expand(-a * (a - true)), a)
-    push, slowest = S.Zero, S.Zero
+    push, decay = S.Zero, S.Zero
     for (power,), f in sympy.Poly(share, a).terms() if remainder == 0 else ():
         low, high = interval(f)
         if power % 2 or not (low.is_extended_nonnegative and high.is_finite):
             return None
         if power == 0 and low.is_positive:
-            slowest, push = low, push + high * true**2 / 2
+            decay, push = low, push + high * true**2 / 2
         else:
             push += high * true ** (power + 2) / 4
-    return Pull(slowest, push) if push != 0 else None
+    return RateBound(decay, push) if push != 0 else None
 
 
 def _moves(expression: Expr, moving: set) -> bool:
     return bool(expression.free_symbols & moving or expression.atoms(sympy.Function))
 
 
-def shared(V: Expr, rates: Sequence[Expr], pulls: Sequence[Pull]) -> Pull:
-    """Return the pull of the lowest level that all rates have."""
-    slowest, pushes = zip(*pulls, strict=True)
-    found = lowest(V, rates, {*slowest} - {S.Zero})
-    return found or Pull(Min(*slowest), Max(*pushes))
+def lowest_level(
+    V: Expr, rates: Sequence[Expr], decays: Iterable[Expr] | None = None
+) -> RateBound | None:
+    """Return the bound of all rates that has the lowest level, by maxima of rate + k V.
 
-
-def lowest(
-    V: Expr, rates: Sequence[Expr], shares: Iterable[Expr] | None = None
-) -> Pull | None:
-    """Return the pull of the lowest level by the maxima of all rates and a share of V.
-
-    If no share is given it is that of the lowest max(V + V'/k), convex in 1/k, at random points.
+    If no k is given it is that of the lowest max(V + V'/k), convex in 1/k, at random points.
     """
-    if shares is None:
+    if decays is None:
         _, size, change = sampled(V, rates)
-        found = minimize_scalar(
+        best = minimize_scalar(
             lambda k: np.max(size + change / 10**k), bounds=(-2, 9), method="bounded"
         )
-        shares = [rational(float(f"{10**found.x:.2g}"))]
-    found = []
-    for k in shares:
+        decays = [rational(float(f"{10**best.x:.2g}"))]
+    bounds = []
+    for k in decays:
         maxima = (maximum_of(expand(e + k * V)) for e in rates)
         tops = [*takewhile(lambda top: top is not None, maxima)]
         if len(tops) == len(rates):
-            found.append(Pull(k, Max(*tops)))
-    return min(found, key=lambda pull: pull.push / pull.rate, default=None)
+            bounds.append(RateBound(k, Max(*tops)))
+    return min(bounds, key=lambda bound: bound.push / bound.decay, default=None)
 
 
 def sampled(V: Expr, rates: Sequence[Expr]) -> tuple:
@@ -185,100 +239,145 @@ def maximum_of(e: Expr) -> Expr | None:
     return None
 
 
-class InForms(NamedTuple):
-    """V and V' of a diagram in the forms of V, each of them one state."""
-
-    V: Expr
-    rate: Expr
-    rest: dict[Any, Expr]
-    forms: dict[Any, Expr]  # state -> its error, in the states of the diagram
+# --- from V' to V ---------------------------------------------------------------------------------
 
 
-def in_forms(case: Any, definite: Definite) -> InForms | None:
-    """Return V and V' of a diagram in the forms of V; None where V has no one least point."""
-    states, forms = errors_of(case, definite.forms, least=2)
-    V, rate = (expand(e.xreplace(states)) for e in (case.V, case.rate))
-    total = squares(V, case.fixed)
-    if total is None:  # linear in states of sets
-        V, rate = (expand(e.xreplace(case.where.squared)) for e in (V, rate))
-        total, forms = squares(V, case.fixed), case.where.roots
-    moving = sorted(V.free_symbols - case.fixed, key=str)
-    rest = zero_of(total, moving) if total else None
-    if rest is None:
-        return None
-    errors = {s: forms.get(s, s) - true for s, true in rest.items()}
-    return InForms(V, rate, rest, errors)
+class UltimateBound:
+    """The bound of V that follows from V', by the first of `WAYS` that knows one."""
 
-
-def pulled_forms(case: Any, definite: Definite) -> Fall | None:
-    """Return the bound of V of a diagram in the forms of V, each of them one state.
-
-    Disturbances push errors, V' = ... + w u s, and have any bound, called as they are.
-    """
-    found = in_forms(case, definite) if definite.forms else None
-    if found is None or case.where.above:  # forms are those of V at the start
-        return None
-    fall = Bounding(case, found).bound()
-    if fall is None or found.V.xreplace(found.rest).xreplace(case.eq.values) != 0:
-        return None
-    if fall.level is not None:
-        level = fall.level.xreplace(case.given).xreplace(case.level_values)
-        if level != fall.level and not fall.bound:  # the sentence has the number
-            case.are_numbers = True
-        fall.level = float(at_most(float(level))) if level.is_number else level
-    return fall
-
-
-class Bounding:
-    """The bounds of V that follow from V', about its least point."""
-
-    def __init__(self, case: Any, found: InForms):
+    def __init__(self, case: Any, in_errors: VInErrors):
         self.case, self.KD = case, case.KD
-        self.V, self.truth = found.V, found.rest
+        self.V, self.least = in_errors.V, in_errors.least
         self.moving = {TIME, *case.motion, *case.intervals}
-        H = hessian(self.V, list(self.truth))
+        H = hessian(self.V, list(self.least))
         self.is_diagonal = H.is_diagonal()
-        self.weights = {s: H[j, j] for j, s in enumerate(self.truth)}
+        self.weights = {s: H[j, j] for j, s in enumerate(self.least)}  # s^2/2 in V
         # disturbances that push one error each; others stay in V'
-        slopes = {self.weights[s] * (s - true): s for s, true in self.truth.items()}
-        pushed = {f: slopes.get(diff(found.rate, f)) for f in case.disturbances}
+        slopes = {self.weights[s] * (s - least): s for s, least in self.least.items()}
+        pushed = {f: slopes.get(diff(in_errors.rate, f)) for f in case.disturbances}
         names = {f: s for f, s in pushed.items() if s is not None}
-        self.rate = found.rate.xreplace(dict.fromkeys(names, S.Zero))
-        self.pushes = {s: Symbol(f"{f.func}", positive=True) for f, s in names.items()}
-        sizes = ((self.weights[s] * size) ** 2 for s, size in self.pushes.items())
-        self.push = sqrt(Add(*sizes))
-        weights = [self.weights.get(e, sympy.nan) for e in self.KD]
-        shares = zip(weights, self.KD.items(), strict=True)
-        self.residual = self.rate + Add(*(w * k * e**2 for w, (e, k) in shares))
-        self.square = {*weights} == {1} and self.is_diagonal  # V contains |e|^2/2
-        self.leaks = leaks_of(self.residual, self.truth, self.moving) if self.KD else []
+        self.rate = in_errors.rate.xreplace(dict.fromkeys(names, S.Zero))
+        # error -> the largest disturbance that pushes it
+        self.largest = {s: Symbol(f"{f.func}", positive=True) for f, s in names.items()}
+        sizes = ((self.weights[s] * size) ** 2 for s, size in self.largest.items())
+        self.push = sqrt(Add(*sizes))  # |Delta|
 
-    def bound(self) -> Fall | None:
+    def fall(self) -> Fall | None:
         """Return what is known of V, or None."""
-        pull = self.pull()
-        discrete = self.case.eq.discrete
-        # V of the next time is at most (1 - rate) V + push
-        is_slow = pull and (not discrete or (1 - pull.rate).is_nonnegative)
-        if pull and is_slow and (fall := self.pulled_to(pull)):
-            return fall
         # in discrete time a step may lead from below a level to above it
-        if discrete:
-            return None
-        fall = self.by_error() or self.far_off()
-        if fall is None and self.leaks:
-            return self.rising() or self.within_balls()
-        return fall
+        ways = WAYS[:1] if self.case.eq.discrete else WAYS
+        return next(filter(None, (way(self) for way in ways)), None)
+
+    @cached_property
+    def residual(self) -> Expr:
+        """V' beyond -e^T KD e."""
+        weights = (self.weights.get(e, sympy.nan) for e in self.KD)
+        gains = zip(weights, self.KD.items(), strict=True)
+        return self.rate + Add(*(w * k * e**2 for w, (e, k) in gains))
+
+    @cached_property
+    def has_square(self) -> bool:
+        """True if V contains |e|^2/2."""
+        weights = {self.weights.get(e) for e in self.KD}
+        return weights == {1} and self.is_diagonal
+
+    @cached_property
+    def leaks(self) -> list[Leak]:
+        """Leaks of a law; none where V' has anything else."""
+        return leaks_of(self.residual, self.least, self.moving) if self.KD else []
+
+    def about_least(self, rate: Expr) -> Expr:
+        """Return V' in the distances of the states from the least point of V."""
+        return expand(rate.xreplace({s: s + at for s, at in self.least.items()}))
+
+    def corners(self) -> list[Expr]:
+        """Return V' about the least point of V at each corner of the box of inputs."""
+        corners = self.case.where.corners(self.rate)
+        return [self.about_least(rate) for _, rate in corners]
+
+    # --- V' <= -decay V + push ------------------------------------------------------------------
 
     @np.errstate(all="ignore")
-    def pull(self) -> Pull | None:
-        """Return how V' pulls V back at each corner of the box of inputs, or as it is."""
+    def rate_bound(self) -> RateBound | None:
+        """Return the bound of V' at all corners of the box of inputs, or as it is."""
         rates = [at for _, at in self.case.where.corners(self.rate, waves=True)]
-        found = [*filter(None, map(self.pulled, rates))]
-        if len(found) < len(rates):
-            if self.pushes or Tuple(*rates).free_symbols - self.truth.keys():
+        bounds = [*filter(None, map(self.bound_by_terms, rates))]
+        if len(bounds) < len(rates):
+            if self.largest or Tuple(*rates).free_symbols - self.least.keys():
                 return None
-            return lowest(self.V, rates)
-        return shared(self.V, rates, found) if found[1:] else next(iter(found), None)
+            return lowest_level(self.V, rates)
+        if len(bounds) < 2:
+            return next(iter(bounds), None)
+        decays, pushes = zip(*bounds, strict=True)
+        lowest = lowest_level(self.V, rates, {*decays} - {S.Zero})
+        return lowest or RateBound(Min(*decays), Max(*pushes))
+
+    def bound_by_terms(self, rate: Expr) -> RateBound | None:
+        """Return the bound of V' as a sum of bounds, one for each error.
+
+        None where V' is not a sum of a term -a s^2 + b s, a leak or a polynomial for each error s;
+        what depends on a state or time is no constant.
+        """
+        least, moving = self.least, {*self.least, *self.moving}
+        groups = groups_of(self.about_least(rate), {*least})
+        terms = {tuple(g.free_symbols & {*least}): g for g in groups}
+        push, decays = terms.get((), S.Zero), []
+        constants = Tuple(push, *self.weights.values())
+        are_joint = any(states[1:] for states in terms)
+        if not self.is_diagonal or _moves(constants, moving) or are_joint:
+            return None
+        for s, weight in self.weights.items():
+            term = terms.get((s,), S.Zero)
+            bound = _complete_square(term, s, moving) or _bound_of_leak(
+                term, s, least[s]
+            )
+            if bound is None and s not in self.largest and term.free_symbols == {s}:
+                bound = lowest_level(s**2 / 2, [term])
+            if bound is None:
+                return None
+            if s in self.largest:  # w u s <= a s^2/2 + (w u)^2/(2 a)
+                if bound.push != 0 or bound.decay == 0:
+                    return None
+                share = (weight * self.largest[s]) ** 2 / (2 * bound.decay)
+                bound = RateBound(bound.decay, share)
+            push += bound.push
+            # of the square of a root nothing is needed to complete a square
+            share = 2 if s in self.case.where.roots and bound.push == 0 else 1
+            decays.append(share * bound.decay / weight)
+        return RateBound(Min(*decays), push)
+
+    def by_rate_bound(self) -> Fall | None:
+        """Return the level c/k of V' <= -k V + c, or if k is 0 the mean of e^T KD e."""
+        bound = self.rate_bound()
+        if bound is None:
+            return None
+        # V of the next time is at most (1 - k) V + c
+        is_slow = not self.case.eq.discrete or (1 - bound.decay).is_nonnegative
+        return self.claimed(bound) if is_slow else None
+
+    def claimed(self, bound: RateBound, more: str = "") -> Fall | None:
+        """Return what a bound of V' says of V, or of the mean of the errors that V' loses."""
+        if bound.push == 0 or (bound.decay == 0 and not self.has_decay()):
+            return None
+        level = bound.push / bound.decay if bound.decay != 0 else None
+        decay, push = (e.xreplace(self.case.given) for e in bound)
+        is_number = decay.is_number and push.is_number
+        push = outward(push)
+        if decay == 0:
+            c = self.letter("c")
+            mean = said("`e^T KD e` is at most 2 {}", c)
+            claim = said("V' <= `-e^T KD e/2` + {}, {} = {}{}", c, c, push, more)
+            return bounded(claim, "mean", bound=mean)
+        decay = outward(decay, up=False)
+        if is_number:
+            share = "" if decay == 1 else said("{} ", decay)
+            claim = said("V' <= -{}V + {}{}", share, push, more)
+            return bounded(claim, "pulled", level)
+        r, c = map(self.letter, "rc")
+        claim = said(
+            "V' <= -{} V + {}, {} = {}, {} = {}{}", r, c, c, push, r, decay, more
+        )
+        return bounded(claim, "pulled", level, bound=said("{}/{}", c, r))
 
     def has_decay(self) -> bool:
         """Return whether V' has -e^T KD e, or more of it."""
@@ -286,55 +385,18 @@ class Bounding:
             # how it bends is not known
             return False
         slopes = (diff(self.residual, e, 2) for e in self.KD)
-        return self.square and all(slope.is_nonpositive for slope in slopes)
+        return self.has_square and all(slope.is_nonpositive for slope in slopes)
 
-    def pulled(self, rate: Expr) -> Pull | None:
-        """Bound V' by what pulls back and a constant, state by state, about the rest.
+    def letter(self, name: str) -> Symbol:
+        """Return a letter of the sentence, with a number where the loop has it."""
+        while name in self.case.eq.named:
+            name += "_1"
+        return Symbol(name)
 
-        None where V' is not a sum of a term -a s^2 + b s, a leak or a polynomial for each error s;
-        what depends on a state or time is no constant.
-        """
-        rest, moves = self.truth, {*self.truth, *self.moving}
-        groups = groups_of(self.about_the_rest(rate), {*rest})
-        terms = {tuple(g.free_symbols & {*rest}): g for g in groups}
-        push, rates = terms.get((), S.Zero), []
-        constants = Tuple(push, *self.weights.values())
-        if (
-            not self.is_diagonal
-            or _moves(constants, moves)
-            or any(key[1:] for key in terms)
-        ):
-            return None
-        for s, weight in self.weights.items():
-            term = terms.get((s,), S.Zero)
-            pull = _pull_of(term, s, moves) or _leak_of(term, s, rest[s])
-            if pull is None and s not in self.pushes and term.free_symbols == {s}:
-                pull = lowest(s**2 / 2, [term])
-            if pull is None:
-                return None
-            if s in self.pushes:  # w u s <= a s^2/2 + (w u)^2/(2 a)
-                if pull.push != 0 or pull.rate == 0:
-                    return None
-                share = (weight * self.pushes[s]) ** 2 / (2 * pull.rate)
-                pull = Pull(pull.rate, share)
-            push += pull.push
-            # of the square of a root nothing is needed to complete a square
-            share = 2 if s in self.case.where.roots and pull.push == 0 else 1
-            rates.append(share * pull.rate / weight)
-        return Pull(Min(*rates), push)
-
-    def about_the_rest(self, rate: Expr) -> Expr:
-        """Return V' in the errors of the states."""
-        shift = {s: s + true for s, true in self.truth.items()}
-        return expand(rate.xreplace(shift))
-
-    def corners(self) -> list[Expr]:
-        """Return V' in the errors of the states at each corner of the box of inputs."""
-        corners = self.case.where.corners(self.rate)
-        return [self.about_the_rest(rate) for _, rate in corners]
+    # --- V' with |e| ----------------------------------------------------------------------------
 
     def by_error(self) -> Fall | None:
-        """Return the bound where V' has |e| in it, the largest of all corners."""
+        """Return the level where V' has |e| in it, the largest of all corners."""
         levels = [*map(self.level_by_error, self.corners())]
         if not levels or None in levels:
             return None
@@ -342,7 +404,7 @@ class Bounding:
 
     def level_by_error(self, rate: Expr) -> Expr | None:
         """Return V above which V' = -e^T K e + p^T e - |e| (z^T A z - b^T z - push) falls."""
-        states, weights = self.truth, self.weights
+        states, weights = self.least, self.weights
         sizes = [
             f
             for f in rate.atoms(sympy.Abs, sympy.Pow)
@@ -352,31 +414,32 @@ class Bounding:
             return None
         (size,) = sizes
         decay, leak = rate.as_independent(size, as_Add=True)
-        share = expand(leak / size)
-        K = {e: -decay.coeff(e, 2) for e in states if size.has(e)}
-        A = {s: -share.coeff(s, 2) for s in states if s not in K}
-        b = {s: share.coeff(s, 1) for s in A}
-        p = {e: decay.coeff(e, 1) for e in K}
-
-        def total(of: dict, power: int) -> Expr:
-            return Add(*(factor * s**power for s, factor in of.items()))
-
-        known = total(p, 1) - total(K, 2) + size * (total(b, 1) - total(A, 2))
-        excess = rate - known, size**2 - total(dict.fromkeys(K, 1), 2)
-        numbers = Tuple(*(n for of in (K, A, b, p, weights) for n in of.values()))
-        if any(map(expand, excess)) or _moves(numbers, {*states, *self.moving}):
+        errors = [s for s in states if size.has(s)]
+        of_e, left = quadratic_terms(decay, errors)
+        of_z, left_in_leak = quadratic_terms(
+            expand(leak / size), states.keys() - errors
+        )
+        is_norm = expand(size**2 - Add(*(e**2 for e in errors))) == 0
+        numbers = Tuple(*chain(*of_e.values(), *of_z.values()), *weights.values())
+        is_known = left == 0 == left_in_leak and is_norm
+        if not is_known or _moves(numbers, {*states, *self.moving}):
             return None
-        if not (A and all(k.is_positive for k in (*K.values(), *A.values()))):
+        if not (of_z and all(a.is_positive for a, _ in (of_e | of_z).values())):
             return None
-        c = self.push + Add(*(b[s] ** 2 / (2 * a) for s, a in A.items()))
-        c += sqrt(Add(*(of_e**2 for of_e in p.values())))
-        corners = [weights[s] * c / a for s, a in A.items()]
-        heaviest, slowest = Max(*map(weights.get, K)), Min(*K.values())
+        c = self.push + Add(*(b**2 / (2 * a) for a, b in of_z.values()))
+        c += sqrt(Add(*(p**2 for _, p in of_e.values())))
+        corners = [weights[s] * c / a for s, (a, _) in of_z.items()]
+        heaviest, slowest = (
+            Max(*map(weights.get, of_e)),
+            Min(*(k for k, _ in of_e.values())),
+        )
         return Max(heaviest * c**2 / (2 * slowest**2), *corners)
+
+    # --- V of one state, and inputs -------------------------------------------------------------
 
     def far_off(self) -> Fall | None:
         """Return the level above which V of one state falls, V' < 0 at each corner there."""
-        V, rates = self.about_the_rest(self.V), self.corners()
+        V, rates = self.about_least(self.V), self.corners()
         states = Tuple(V, *rates).free_symbols
         if not (self.case.where.box and rates) or len(states) != 1:
             return None
@@ -401,67 +464,35 @@ class Bounding:
             level = Max(level, V.xreplace({s: side * start}))
         return bounded(f"V' < 0 {ABOVE}", "pulled", level)
 
-    def pulled_to(self, pull: Pull, more: str = "") -> Fall | None:
-        """Return what V comes to, or the mean of the errors that V' loses."""
-        if pull.push == 0 or (pull.rate == 0 and not self.has_decay()):
-            return None
-        level = pull.push / pull.rate if pull.rate != 0 else None
-        pull = Pull(*(e.xreplace(self.case.given) for e in pull))
-        push = outward(pull.push)
-        if pull.rate == 0:
-            c = self.letter("c")
-            mean = said("`e^T KD e` is at most 2 {}", c)
-            claim = said("V' <= `-e^T KD e/2` + {}, {} = {}{}", c, c, push, more)
-            return bounded(claim, "mean", bound=mean)
-        rate = outward(pull.rate, up=False)
-        if pull.rate.is_number and pull.push.is_number:
-            share = "" if rate == 1 else said("{} ", rate)
-            claim = said("V' <= -{}V + {}{}", share, push, more)
-            return bounded(claim, "pulled", level)
-        r, c = map(self.letter, "rc")
-        claim = said(
-            "V' <= -{} V + {}, {} = {}, {} = {}{}", r, c, c, push, r, rate, more
-        )
-        return bounded(claim, "pulled", level, bound=said("{}/{}", c, r))
-
-    def letter(self, name: str) -> Symbol:
-        """Return a letter of the sentence, with a number where the loop has it."""
-        while name in self.case.eq.named:
-            name += "_1"
-        return Symbol(name)
+    # --- leaks of laws --------------------------------------------------------------------------
 
     def size(self, leak: Leak) -> Expr:
         """Return |s*|."""
-        return sqrt(Add(*(self.truth[s] ** 2 for s in leak.states)))
+        return sqrt(Add(*(self.least[s] ** 2 for s in leak.states)))
 
     def rising(self) -> Fall | None:
-        """Return the bound where every factor rises with |s|."""
-        full, excess, conditions = self.rate, sympy.Integer(0), []
+        """Return the level where every factor rises with |s|."""
+        full, excess, conditions = self.rate, S.Zero, []
         for leak in self.leaks:
             radial = radial_of(leak)
             if radial is None or leak.factor != radial.word:
                 return None
-            full = full.subs(radial.word, radial.top)
-            excess += (
-                radial.top * leak.weight * (radial.R**2 + self.size(leak) * radial.R)
-            )
-            conditions.append(
-                said("{} <= {}", self.size(leak), at_least(float(radial.M)))
-            )
-        pull = self.pulled(expand(full))
-        if pull is None:
+            size, R, top = self.size(leak), radial.R, radial.top
+            full = full.subs(radial.word, top)
+            excess += top * leak.weight * (R**2 + size * R)
+            conditions.append(said("{} <= {}", size, at_least(float(radial.M))))
+        bound = self.bound_by_terms(expand(full)) if self.leaks else None
+        if bound is None:
             return None
         more = said("; where {}, V' <= `-e^T KD e` without `Delta`", listed(conditions))
-        return self.pulled_to(Pull(pull.rate, pull.push + excess), more)
+        return self.claimed(RateBound(bound.decay, bound.push + excess), more)
 
     def within_balls(self) -> Fall | None:
-        """Return the bound where what is learned stays within balls."""
-        leaking = [s for leak in self.leaks for s in leak.states]
-        learned = self.truth.keys() - self.KD.keys()
-        if not self.square or sorted(leaking, key=str) != sorted(learned, key=str):
+        """Return the level where what is learned stays within balls."""
+        leaking = {s for leak in self.leaks for s in leak.states}
+        if not (leaking and self.has_square) or leaking != self.least.keys() - self.KD:
             return None
-        k = Min(*self.KD.values())
-        level, conditions = self.push**2 / (2 * k**2), []
+        level, conditions = self.push**2 / (2 * Min(*self.KD.values()) ** 2), []
         for leak in self.leaks:
             radial = radial_of(leak)
             if (
@@ -470,8 +501,8 @@ class Bounding:
                 or not stays_within(leak, radial, self.case.motion)
             ):
                 return None
-            slowest = Max(*(self.weights[s] for s in leak.states))
-            level += slowest * (radial.R + self.size(leak)) ** 2 / 2
+            heaviest = Max(*(self.weights[s] for s in leak.states))
+            level += heaviest * (radial.R + self.size(leak)) ** 2 / 2
             port = Symbol(leak.states[0].name.partition("_")[0])
             radius = said("|{}| <= {}", port, at_most(float(radial.R)))
             truth = said("{} <= {}", self.size(leak), at_least(float(radial.M)))
@@ -480,3 +511,12 @@ class Bounding:
         where = [Condition("start", radii), Condition("truth", truths)]
         claim = said("V' <= `-e^T KD e + e^T Delta`, {} for good", radii)
         return bounded(claim, "pulled", level, conditions=where)
+
+
+WAYS = (
+    UltimateBound.by_rate_bound,  # V' <= -k V + c
+    UltimateBound.by_error,  # V' <= -|e| (k |e| + a z^2/2 - c)
+    UltimateBound.far_off,  # V' < 0 beyond a distance
+    UltimateBound.rising,  # leaks that rise with |s|
+    UltimateBound.within_balls,  # leaks that keep |s| <= R
+)
