@@ -184,7 +184,7 @@ def _coefficient(rate: Expr, product: Expr, parameters: set) -> Expr:
 # --- a V of the user ------------------------------------------------------------------------
 
 
-def user_V(V: Callable[..., Any], law: Block) -> LawV:
+def user_V(V: Callable, law: Block) -> LawV:
     """Return V of the user: a function of signals, or of the truth that returns a block."""
     if isinstance(V, control.InputOutputSystem):
         raise DiagramError(
@@ -213,7 +213,9 @@ def user_V(V: Callable[..., Any], law: Block) -> LawV:
 class LawSignals:
     """Signals, parameters, true values and time that a V of a law may read: s.e, s.theta, s.t."""
 
-    def __init__(self, ports: Mapping[str, Any], signals: Any, parameters: Any, t: Any):
+    def __init__(
+        self, ports: Mapping[str, tuple], signals: tuple, parameters: Any, t: float
+    ):
         self._ports, self._signals, self._parameters = ports, signals, parameters
         self.t = t
 
@@ -226,7 +228,9 @@ class LawSignals:
         raise DiagramError(f"V needs s.{name}; s has {names}")
 
 
-def _block_of_signals(V: Callable[[Any], Any], law: Block, truth: Truth) -> Block:
+def _block_of_signals(
+    V: Callable[[LawSignals], Expr], law: Block, truth: Truth
+) -> Block:
     """Return V as a block, of a function of the loop's signals."""
     loop = theorem_loop(functions_of(law), "learned-flow", law_block=law)
     shapes: dict[str, Any] = {}
@@ -235,7 +239,7 @@ def _block_of_signals(V: Callable[[Any], Any], law: Block, truth: Truth) -> Bloc
     shapes |= {"phi_x": ("N",), "phi_z": ("N",), "zc": (2,)}
     parameters = {**law.parameters._asdict(), **truth._asdict()}
 
-    def candidate(ports: Mapping[str, Any], fields: Mapping[str, Any]) -> Block:
+    def candidate(ports: Mapping[str, tuple], fields: Mapping[str, Any]) -> Block:
         return Block(
             "candidate",
             output=lambda t, x, u, p: {"V": V(LawSignals(ports, u, p, t))},

@@ -118,7 +118,7 @@ class AtFixes:
         sent = sent if self.late else s["sent"]
         substitutions |= equated(s, {"waiting": got if self.late else 0, "sent": sent})
 
-        def states(new: dict[Any, Expr]) -> States:
+        def states(new: dict[Expr, Expr]) -> States:
             put = np.vectorize(
                 lambda a: decided(a.xreplace(new).xreplace(substitutions)),
                 otypes=[object],

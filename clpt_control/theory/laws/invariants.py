@@ -42,7 +42,7 @@ from sympy.core.function import AppliedUndef
 from ...base.arguments import check_known
 from ...engine.model.block import Block
 from ...engine.record.symbolic import extent
-from ...paper.laws.law import Law
+from ...paper.laws.law import Law, Truth
 from ..algebra.decide import groups_never_positive, never_positive
 from ..algebra.exact import as_factors, nonzero_residual, vanishes
 from ..algebra.facts import MAXIMUM, WHERE, is_positive_maximum
@@ -81,7 +81,7 @@ IN_THE_MEAN = said("`|e| <= |eta phi|` over the least of `KD`")
 
 
 class Invariants(LoopCandidate):
-    """A law with invariants, on its loop for one N: a law of the table, or your own."""
+    """A law whose states keep relations: of its row, or of a user's, V' is what is stated."""
 
     def __init__(
         self,
@@ -94,26 +94,25 @@ class Invariants(LoopCandidate):
         speed: Hedging = "no limit",
     ):
         """Read the loop of a law's row, or of `blocks`: a law and what makes its V of the truth."""
-        self.law, self.N, self.is_row, self.start = law, N, blocks is None, start
-        self.points, self.seed, self.sizes = points, seed, f"N = {N}"
+        self.law, self.is_row, self.start = law, blocks is None, start
         true = truth_of(theorem_scenario(N, "learned-flow"))
         block, V = (
             law_and_V(law, N, speed) if blocks is None else (blocks[0], blocks[1](true))
         )
-        self.eq = self.loop = symbolic_loop(law_loop(law, block, V, speed), jumps=True)
-        self.system = self.loop.diagram
-        self.motion, self.fixed = self.loop.motion, {*self.loop.values}
-        self.undefined = self.loop.undefined
+        loop = symbolic_loop(law_loop(law, block, V, speed), jumps=True)
+        super().__init__(loop, N, points, seed)
+        self.motion, self.undefined = loop.motion, loop.undefined
         self.words: dict[Any, Symbol] = {}
-        self.known = NOTHING
         self.states, self.rates = (
             {port.rpartition(":")[2]: values for port, values in ports.items()}
-            for ports in (self.loop.states, self.loop.rates)
+            for ports in (loop.states, loop.rates)
         )
-        self.V, self.rate = self.loop.signals["V"][0], rate_of_V(self.loop)
+        self.V, self.rate = loop.signals["V"][0], rate_of_V(loop)
         self._read_row(block, V, true, None if blocks is None else blocks[1])
 
-    def _read_row(self, block: Block, V: Block, true: Any, own_V: Any) -> None:
+    def _read_row(
+        self, block: Block, V: Block, true: Truth, own_V: Callable | None
+    ) -> None:
         """Read what the law's row states of its states, and what the numbers of V are."""
         law, loop = self.law, self.loop
         p, truth = loop.parameters[block.name], truth_in(loop)
@@ -169,7 +168,7 @@ class Invariants(LoopCandidate):
                 expression = expression.xreplace({word: symbol})
         return expression
 
-    def left_over(self, claim: Callable[[SymbolicLoop], Any]) -> str:
+    def left_over(self, claim: Callable[[SymbolicLoop], Expr]) -> str:
         """Return what V' has beyond a claim and what is beside, or has no value, or nothing."""
         claimed = claim(self.loop) + self.residual
         remainder = self.reduced(self.rate - claimed)
@@ -245,7 +244,7 @@ class Invariants(LoopCandidate):
         return {port: expanded(symbols) for port, symbols in self.matrices.items()}
 
     def not_negative(
-        self, expression: Any, of_any_value: Set[Any] = frozenset()
+        self, expression: Any, of_any_value: Set[Expr] = frozenset()
     ) -> bool:
         """Return whether F = F(M = 0) + sum tr(M S) is known not to be negative for M >= 0.
 
@@ -334,7 +333,7 @@ class Invariants(LoopCandidate):
         return vanishes(expression) or self.not_negative(-expression)
 
 
-def drive(law: Law, s: Mapping[str, Any], truth: Any) -> Any:
+def drive(law: Law, s: Mapping[str, np.ndarray], truth: Truth) -> Any:
     """Return e^T eta phi, eta being the error of the estimate that drives CLPE."""
     errors = {
         "": lambda: np.zeros((2, len(s["phi_x"]))),

@@ -66,13 +66,15 @@ HIDDEN = {"flow_x": "the true flow", "V": "V, which is made of the truth"}
 
 
 class LoopCandidate(LyapunovCandidate):
-    """V on the loop of a law."""
+    """V on the closed loop of a law with N functions: its verdicts have the loop's diagram."""
 
-    loop: SymbolicLoop
-    points: int
-    seed: int
-    sizes: str  # numbers of functions for which V' is as shown: N = 2
-    known: Mapping[Any, Any]  # symbols of numbers of the law
+    known: Mapping[Any, Any] = NOTHING  # symbols of the law -> its numbers
+
+    def __init__(self, loop: SymbolicLoop, N: int, points: int, seed: int):
+        self.eq = self.loop = loop
+        self.system, self.fixed = loop.diagram, {*loop.values}
+        self.N, self.points, self.seed = N, points, seed
+        self.sizes = f"N = {N}"  # for which V' is as shown
 
     def same_as_running(self, *_: Any) -> Step:
         """Return the step that the running blocks have the same V and rates."""
@@ -108,24 +110,23 @@ class LoopCandidate(LyapunovCandidate):
 
 
 class LawCandidate(LoopCandidate, SystemCandidate):
-    """A law with its V, on symbols and running."""
+    """A law with a V in x and e = x - z: V' is judged as that of a diagram, beyond -e^T KD e."""
 
     place = "the truth"
     errors = NOTHING, NOTHING  # it is written in e
     sums = NOTHING  # signals are not written in place of their sums
 
     def __init__(self, law: Block, law_V: LawV, points: int, seed: int):
-        self.N = N = functions_of(law)
+        N = functions_of(law)
         self.law, self.fitted = law, law_V.fitted
-        self.points, self.seed, self.sizes = points, seed, f"N = {N}"
         truth = truth_of(theorem_scenario(N, "learned-flow"))
         self.block = V = law_V.make(truth)
         diagram = theorem_loop(N, "learned-flow", law_block=law, candidate=V)
-        self.eq = self.loop = loop = symbolic_loop(diagram, jumps=True)
+        loop = symbolic_loop(diagram, jumps=True)
+        LoopCandidate.__init__(self, loop, N, points, seed)
         refuse_no_value(loop, V.name)
         self._tie(symbols_of_V(loop, V, law_V.make, (truth, truth_in(loop))), law_V)
-        self.system = diagram
-        self.fixed, self.numbers = {*loop.values}, {*self.values}
+        self.numbers = {*self.values}
         self.coordinates = ErrorCoordinates(loop)
         self.e = self.coordinates.e
         self.KD = dict(zip(self.e, truth_in(loop).KD, strict=True))
@@ -143,7 +144,7 @@ class LawCandidate(LoopCandidate, SystemCandidate):
         self.rate = normal_form(self._rate_of_V())
         self._read_decay()
 
-    def _tie(self, tied: dict[Any, Any], law_V: LawV) -> None:
+    def _tie(self, tied: dict[Expr, Expr], law_V: LawV) -> None:
         """Set what symbols are: numbers of the law and of V, but not of the truth."""
         p = self.loop.parameters[self.block.name]
         if law_V.gains is not None:
@@ -339,7 +340,9 @@ class LawCandidate(LoopCandidate, SystemCandidate):
 # --- for every N ------------------------------------------------------------------------------
 
 
-def holds_for_every_N(law: Any, definite: Definite, fall: Fall) -> tuple[bool, str]:
+def holds_for_every_N(
+    law: LawCandidate, definite: Definite, fall: Fall
+) -> tuple[bool, str]:
     """Return whether V' of a `LawCandidate` is as shown for every N, and what is left over."""
     loop = ArrayLoop(law.loop.diagram, substitute=partial(_of_every_N, law))
     residual = normal_form(loop.elements.of(rate_of_V(loop) - decay(loop)))
@@ -355,7 +358,7 @@ def holds_for_every_N(law: Any, definite: Definite, fall: Fall) -> tuple[bool, s
     if faster := faster_than(1, rates, states):
         return False, said("{} may grow faster than linearly", faster)
     of_e = {"e'": loop.elements.of(loop.derivative(loop.signals["e"]))}
-    states["t"] = [TIME]
+    states["t"] = np.array([TIME])
     if faster := faster_than(0, of_e, states):
         return False, said("{} is not known to be bounded", faster)
     base, term = summands = [
@@ -369,7 +372,7 @@ def holds_for_every_N(law: Any, definite: Definite, fall: Fall) -> tuple[bool, s
     return False, said("left over: {}; summand {}", base, term)
 
 
-def _outside_V(law: Any, definite: Definite) -> list[str]:
+def _outside_V(law: LawCandidate, definite: Definite) -> list[str]:
     """Return the ports of states that V need not contain."""
     in_V = set().union(*(form.free_symbols for form in definite.forms))
     in_V |= {*law.loop.states["z"], *law.loop.states["x"]}
@@ -377,7 +380,7 @@ def _outside_V(law: Any, definite: Definite) -> list[str]:
     return [port for port in states if {*states[port].flat} - in_V]
 
 
-def _of_every_N(law: Any, symbol: Expr, index: Index) -> Expr:
+def _of_every_N(law: LawCandidate, symbol: Expr, index: Index) -> Expr:
     """Return a parameter's element for every N: V's are numbers, the law's or the truth's."""
     generic = [name for name in index if isinstance(name, str)]
     weight = law.of_V.get(symbol, symbol)
@@ -393,7 +396,9 @@ def _of_every_N(law: Any, symbol: Expr, index: Index) -> Expr:
     return symbol
 
 
-def faster_than(power: int, rates: Mapping[str, Any], states: Mapping[str, Any]) -> str:
+def faster_than(
+    power: int, rates: Mapping[str, np.ndarray], states: Mapping[str, np.ndarray]
+) -> str:
     """Return which rate may grow with a higher power of the states, and its value; or ""."""
     elements = [s for symbols in states.values() for s in np.ravel(symbols)]
     names = {str(s).split("[")[0] for s in elements}

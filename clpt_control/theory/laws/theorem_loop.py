@@ -182,7 +182,7 @@ def symbols_of_V(
     }
 
 
-def _elements(numbers: Any, symbols: Any) -> list[tuple[float, Any]]:
+def _elements(numbers: np.ndarray, symbols: np.ndarray) -> list[tuple[float, Any]]:
     """Return pairs of a number and its symbol from two arrays."""
     numbers = np.asarray(numbers, dtype=float)
     symbols = np.asarray(symbols, dtype=object)
@@ -209,7 +209,7 @@ class ErrorCoordinates:
         self.in_e = {z: x - e for x, z, e in triples}
         self.in_x = {e: x - z for x, z, e in triples}
 
-    def motion(self, read: Callable[[Any], Any]) -> dict[Any, Any]:
+    def motion(self, read: Callable[[sympy.Expr], sympy.Expr]) -> dict[Any, Any]:
         """Return the rates of all states but z, and of e, each as it is read."""
         rates = self.loop.motion
         motion = {s: read(rate) for s, rate in rates.items() if s not in self.z}
