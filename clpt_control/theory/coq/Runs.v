@@ -996,7 +996,7 @@ Ltac lip :=
   | |- Lipschitz _ (fun t => atan (@?f t)) => apply (Lipschitz_atan _ f); lip
   | |- Lipschitz _ (fun t => Rabs (@?f t)) => apply (Lipschitz_abs _ f); lip
   | |- Lipschitz _ (fun t => t) => apply Lipschitz_time
-  | |- Lipschitz _ (fun t => ?f t) => change (fun t => f t) with f; leaf
+  | |- Lipschitz _ (fun t => ?f t) => change (fun t => f t) with f; first [leaf | eapply Lipschitz_rate; [follow|bnd]]
   | |- _ => first [leaf | eapply Lipschitz_rate; [follow|bnd]]
   end.
 Ltac van :=
@@ -1087,8 +1087,8 @@ Proof. intros. rewrite <- Rmult_assoc. apply Rmult_le_compat_r; auto. Qed.
 Lemma larger_share_by c w l m f g : c * w <= l * m -> m <= f -> 0 <= l -> 0 <= g -> c * (w * g) <= l * f * g.
 Proof. intros. rewrite <- Rmult_assoc. apply Rmult_le_compat_r; auto. apply (Rle_trans _ (l * m)); auto. apply Rmult_le_compat_l; auto. Qed.
 Lemma below_shares c a b d e : c * a <= d -> c * b <= e -> c * (a + b) <= d + e. Proof. lra. Qed.
-Ltac shares := first [apply below_shares; [solve [shares]|solve [shares]] | apply below_left; [shares|nonneg]
-  | eapply larger_share_by; [eassumption|above|nonneg|nonneg] | apply larger_share; [assumption|nonneg]].
+Ltac shares := first [apply below_shares; [solve [shares]|solve [shares]] | apply below_left; [solve [shares]|nonneg]
+  | apply below_right; [solve [shares]|nonneg] | eapply larger_share_by; [eassumption|above|nonneg|nonneg] | apply larger_share; [assumption|nonneg]].
 Ltac exponential_of sum parts loss := intros c Hc; intros; eapply (decays_to_zero _ _ _ c Hc sum); [|assumption];
   intros u Hu; cbv beta; rewrite Ropp_involutive, (parts u Hu); unfold loss; shares.
 Ltac bound_of falls parts := intros t Ht; eapply Rle_trans; [|exact (falls 0 t ltac:(destruct Ht; lra) Ht)]; rewrite (parts t Ht); below.

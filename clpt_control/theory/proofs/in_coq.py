@@ -16,7 +16,7 @@ import sympy
 from sympy import Abs, Add, Expr, Mul, S, diff, expand
 
 from ...engine.diagram.symbol_names import TIME
-from ..algebra.facts import BOUNDED, IN_COQ, ODD, roots_in
+from ..algebra.facts import BOUNDED, IN_COQ, ODD, SIGN
 from ..algebra.slopes import along
 from .conclusions import CONCLUSIONS, REQUIREMENTS
 from .coq_text import (
@@ -54,6 +54,7 @@ THEOREMS = {
     "still": "limits still",
     "pulled": "V_decays",
     "mean": "spent",
+    "decays": "V_exponential",
     "region": "V_nonneg V_stays stable rest",
 }
 ALWAYS = (
@@ -95,7 +96,6 @@ class File:
         self.off = {s: s - case.rest.get(s, 0) for s in self.motion}  # from the rest
         self.zero = dict[Expr, str]()  # form that goes to zero -> its lemma
         self.is_stable = False
-        self.steady = set[Any]()
         self.runs()
         self.sums()
         if case.falls:
@@ -340,12 +340,6 @@ class File:
             self.lags()
         if self.is_stable:
             self.small("stable", self.off.values(), "repeat split; leaf")
-        for s, rate in self.motion.items():
-            if self.is_bounded(rate):
-                name = self.name[s]
-                proof = f"eapply Lipschitz_rate; [exact (H_{name} i)|bnd]"
-                self.lemma(f"moves_r_{name}", f"Lipschitz (T i) (r_{name} i)", proof)
-                self.steady.add(s)
 
     def states_in(self, forms: Iterable[Expr]) -> None:
         """Write that states are bounded, as forms are."""
@@ -391,30 +385,20 @@ class File:
 
     def is_bounded(self, e: Expr) -> bool:
         """Return whether an expression is made of what is known to be bounded."""
-        if self.is_fixed(e) or e in self.bounded or isinstance(e, BOUNDED):
+        if self.is_fixed(e) or e in self.bounded or isinstance(e, (*BOUNDED, SIGN)):
             return True
         if e.is_Pow and e.exp.is_negative:
             return is_above_zero(e.base, self.fixed)
         return isinstance(e, GROWING) and all(map(self.is_bounded, e.args))
 
     def is_steady(self, e: Expr) -> bool:
-        """Return whether an expression is Lipschitz in time by its form."""
-        calls = e.atoms(*BOUNDED)
-        # a product of a state that is not bounded is not known to be Lipschitz
-        bare = e.xreplace(dict.fromkeys(calls, S.One)).free_symbols
-        return (
-            e.free_symbols <= self.fixed | self.steady | {TIME}
-            and self.is_bounded(e)
-            and bare <= self.fixed | self.bounded
-            and all(
-                self.is_affine(a) or self.is_steady(a) for c in calls for a in c.args
-            )
-            and all(is_above_zero(root, self.fixed) for root in roots_in(e))
-        )
+        """Return whether an expression and its rate are bounded, so that it is Lipschitz."""
+        moves = e.free_symbols <= self.fixed | {TIME, *self.motion}
+        return moves and self.is_bounded(e) and self.is_bounded(self.rate_of(e))
 
-    def is_affine(self, e: Expr) -> bool:
-        """Return whether an expression has fixed slopes."""
-        return all(self.is_fixed(e.diff(s)) for s in e.free_symbols - self.fixed)
+    def rate_of(self, e: Expr) -> Expr:
+        """Return the rate of an expression along a run."""
+        return along(e, {TIME: S.One, **self.motion})
 
     # --- what goes to zero ----------------------------------------------------------------------
 
@@ -478,7 +462,7 @@ class File:
             if self.is_at_rest or k == len(self.zero):
                 return
             form, name = [*self.zero.items()][k]
-            rate = expand(along(form, self.motion) + form.diff(TIME))
+            rate = expand(self.rate_of(form))
             if rate.count_ops() > MOST_OPERATIONS or not self.is_steady(rate):
                 continue
             text = self.text(rate)
