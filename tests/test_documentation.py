@@ -11,6 +11,7 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import pytest
 from command_line import command
+from paths import ROOT
 from test_layout import trees
 
 import clpt_control
@@ -207,6 +208,19 @@ def test_every_public_name_stands_in_the_reference():
     public |= {f"clpt_control.{name}" for name in TOP if name not in known}
     results = {f"{cls.__module__}.{cls.__qualname__}" for cls in RESULTS}
     assert sorted(shown) == sorted(public | results)
+
+
+PRINTERS = [
+    path
+    for path in sorted((ROOT / "tools").glob("print_*.py"))
+    if "def page()" in path.read_text("utf-8")
+]
+
+
+@pytest.mark.parametrize("path", PRINTERS, ids=lambda path: path.stem)
+def test_a_printed_page_is_current(path):
+    tool = runpy.run_path(str(path))
+    assert tool["PAGE"].read_text("utf-8") == tool["page"]()
 
 
 def test_every_key_of_a_scenario_and_every_tide_stands_on_its_page():

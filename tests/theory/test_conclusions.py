@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from model_reference import V, gradient, leaky, leaky_with_error, loop
 from small_scenarios import paper_of
-from text_systems import signals, written
+from text_systems import conclusion_of, signals, written
 
 import clpt_control as clpt
 from clpt_control import Block, lyapunov, prove
@@ -172,7 +172,7 @@ def test_what_an_input_weighs_goes_to_zero_where_its_rate_is_bounded():
 def test_an_integral_does_not_need_a_bounded_rate(gain, weight):
     """V' = -gain e^2; with 1 + t the rate of e is not bounded where V is, and e falls still."""
     found = of(f"e' = -{gain}*e; V = {weight}")
-    assert (found.status, found.conclusion) == ("proved", "asymptotically stable")
+    assert found.implies("asymptotically stable")
     assert fields_of(found)[2] == {"t >= 0": ""}
 
 
@@ -403,7 +403,8 @@ def test_a_right_V_is_proved(name):
     text, strongest, least = STRONGER[name]
     found = of(text)
     assert found.status == "proved"
-    assert found.conclusion in (strongest, *(WEAKER[strongest] if least else ()))
+    weaker = WEAKER[strongest] if least else ()
+    assert conclusion_of(found) in (strongest, *weaker)
 
 
 @pytest.mark.sampled
@@ -644,3 +645,46 @@ def test_a_pendulum_loses_at_most_its_energy_above_the_lowest_point():
     )
     verdict = clpt.lyapunov(rod, lambda s: s.w**2 / 2 - np.cos(s.th))
     assert verdict.sentence.endswith("is at most V(0) + 1")
+
+
+# --- exponential stability: V' <= -k V, k by hand ------------------------------------------------
+
+FALLS_EXPONENTIALLY = {
+    "x' = -2*x; V = x**4": "8*t",
+    "x' = -2*x - x**3; V = x**2": "4*t",
+    "x' = 3 - x; V = (x - 3)**2/2; at x = 3": "2*t",
+    "x' = -x*(1 + y**2); y' = -3*y": "2*t",
+    "x' = -x; y' = -2*y; V = abs(x) + y**2": "t",
+}
+FALLS_SLOWER = [
+    "x' = -x**3",
+    "x' = -x*exp(-t)",
+    "x' = -tanh(x)",
+    "x' = -x*y**2; y' = -y",
+    "x' = -x/(1 + x**2)",
+    "x' = y; y' = -x - y",  # V' = -y^2
+    "x' = -x; V = x**2 + x**4",  # two powers
+]
+
+
+@pytest.mark.parametrize("text", FALLS_EXPONENTIALLY)
+def test_the_rate_at_which_V_falls(text):
+    found = of(text)
+    assert found.conclusion == "exponentially stable"
+    assert f"{found.decay}" == f"V(0)*exp(-{FALLS_EXPONENTIALLY[text]})"
+    weaker = "asymptotically stable", "comes to rest", "goes to zero", "stable"
+    assert all(map(found.implies, weaker))
+
+
+def test_rates_of_time_need_not_go_to_zero():
+    """Those of x' = -a(t) x, where a has ever higher and narrower peaks, do not."""
+    found = of("x' = -(1 + t)*x")
+    assert found.implies("comes to rest")
+    assert not found.implies("all rates go to zero")
+
+
+@pytest.mark.parametrize("text", FALLS_SLOWER)
+def test_what_falls_slower_has_no_rate(text):
+    found = of(text)
+    assert not found.implies("exponentially stable")
+    assert found.decay is None

@@ -2,7 +2,9 @@
 
 import re
 
+import numpy as np
 import pytest
+import sympy
 from judged_loops import RIGHT, WRONG
 
 import clpt_control as clpt
@@ -35,11 +37,28 @@ def cases(table):
         yield pytest.param(name, marks=marks)
 
 
+def falls_as_said(found):
+    """Return whether V' <= -k V at random points, k that of the verdict's decay."""
+    (power,) = found.decay.atoms(sympy.exp)
+    k = -power.args[0] / next(s for s in power.free_symbols if s.name == "t")
+    symbols = sorted((found.V + found.rate).free_symbols, key=str)
+    numpy = [{"gt": np.greater, "lt": np.less}, "numpy"]
+    excess = sympy.lambdify(symbols, found.rate + k * found.V, numpy)
+    points = np.random.default_rng(3).normal(size=(len(symbols), 500)) * 4
+    positive = [s.is_positive or False for s in symbols]
+    points[positive] = np.abs(points[positive])
+    return np.max(excess(*points)) < 1e-9
+
+
 def said(loop):
     """Judge a loop; where it is proved each word must be true."""
     found = clpt.lyapunov(loop.plant, loop.V, points=20, **loop.more)
     if found.status == "proved":
-        assert found.conclusion in loop.true, found
+        if found.implies("exponentially stable"):
+            assert falls_as_said(found), found
+            assert "asymptotically stable" in loop.true, found
+        else:
+            assert found.conclusion in loop.true, found
         conditions = {condition.name for condition in found.conditions}
         if found.conclusion in WITHOUT_INPUTS:  # no rate is asked for
             conditions |= {"bounded inputs"}

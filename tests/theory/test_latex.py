@@ -25,7 +25,8 @@ def test_a_linear_system_is_a_theorem():
     assert r"\dot{x} &= - x" in text
     assert "V = x^{2}$" in text
     assert r"\dot V = - 2\,x^{2}$" in text
-    assert "Conclusion: the rest is asymptotically stable from every start." in text
+    assert "Conclusion: the rest is exponentially stable from every start, " in text
+    assert r"V{\left(0 \right)}\,e^{- 2\,t}$." in text
     assert "Conditions" not in text
 
 

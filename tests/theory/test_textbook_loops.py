@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from text_systems import written
+from text_systems import conclusion_of, written
 
 import clpt_control as clpt
 
@@ -27,7 +27,7 @@ def test_a_small_difference_of_exact_numbers_is_no_rounding(a, sign):
     for more in ("", "; y' = -y"):
         verdict = judged(f"x' = (b - a)*x{more}; a = {a!r}; b = {b!r}")
         expected = ("open", "") if sign > 0 else ("proved", AT_REST)
-        assert (verdict.status, verdict.conclusion) == expected
+        assert (verdict.status, conclusion_of(verdict)) == expected
 
 
 # --- reasons ------------------------------------------------------------------------------------
@@ -45,7 +45,7 @@ def test_a_search_that_finds_nothing_is_no_reason():
 @pytest.mark.long
 def test_a_divisor_is_judged_with_the_parameters_numbers():
     verdict = judged("x' = -x/(k - d); k = 2; input d", where={"d": (-1, 1)})
-    assert (verdict.conclusion, verdict.failed) == (AT_REST, ())
+    assert (conclusion_of(verdict), verdict.failed) == (AT_REST, ())
     assert "with the parameters' values k = 2" in verdict.sentence
     assert judged("x' = -x/(k - d); k = 2; input d", where={"d": (-1, 2)}).failed
 
@@ -109,7 +109,7 @@ OPEN = ""
 )  # fmt: skip
 def test_what_textbooks_decide(text, conclusion, of):
     verdict = judged(text)
-    assert verdict.conclusion == conclusion
+    assert conclusion_of(verdict) == conclusion
     assert of is None or verdict.of == of
 
 
@@ -161,7 +161,7 @@ LOG = "V = x - log(x)"
     ],
 )  # fmt: skip
 def test_what_textbooks_decide_in_sets(text, where, conclusion):
-    assert judged(text, where=where).conclusion == conclusion
+    assert conclusion_of(judged(text, where=where)) == conclusion
 
 
 def test_logs_of_several_states_are_a_form_as_they_are():

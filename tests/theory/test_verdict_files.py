@@ -142,6 +142,9 @@ SAMPLE = {
     "a damping sin(t)^2": (  # the rate of v sin(t) has the term v cos(t)
         "x' = v; v' = -x - sin(t)**2*v; V = (x**2 + v**2)/2", "goes to zero", "rates",
     ),
+    "two losses of a state": (
+        "x' = -x*(1 + y**2); y' = -(2 + sin(t))*y; V = x**4 + y**2", "asymptotically stable", "",
+    ),
     "a wave of a frequency": ("x' = -(2 + sin(t*w))*x; w = 3", "asymptotically stable", ""),
     "a negative divisor": ("x' = x/b; V = x**2/2; b = -1", "asymptotically stable", ""),
     "a function that rises": (
@@ -188,7 +191,8 @@ def missing(verdict):
 def test_file_says_what_the_sentence_says(name):
     verdict = judged(name)
     _, conclusion, not_in_it = SAMPLE[name]
-    assert (verdict.status, verdict.conclusion) == ("proved", conclusion)
+    assert verdict.status == "proved"
+    assert verdict.implies(conclusion)
     assert missing(verdict) - TRUSTED == {*not_in_it.split()}
     text = verdict.coq()
     last = text[text.rindex("(* The verdict: ") :]

@@ -10,7 +10,7 @@ from ...base.html import Result
 from ...base.progress import interrupt, progress_bar
 from .printing import Json, Report, arg, finish, law_names, opt
 
-JUDGED = "status conclusion sentence claim conditions level bound for_every_N steps"
+JUDGED = "status conclusion conclusions sentence claim conditions level bound for_every_N steps"
 OF_THEOREM = f"{JUDGED} printed assumptions corrected cited not_proved"
 ROOMS = {  # of proofs -> what one is called, its fields in JSON
     "theorems": ("Theorem {}", OF_THEOREM),
@@ -216,8 +216,8 @@ def _fields(proof: Any, fields: str, name: str) -> Report:
         {**asdict(condition), "sentence": f"{condition}"}
         for condition in proof.conditions
     ]
-    values = {**asdict(proof), "law": name, "sentence": proof.sentence}
-    values["conditions"] = conditions
+    values = {**asdict(proof), "law": name, "conditions": conditions}
+    values |= {"sentence": proof.sentence, "conclusion": proof.conclusion}
     return {field: values[field] for field in fields.split()}
 
 

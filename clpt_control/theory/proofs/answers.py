@@ -36,6 +36,7 @@ class Fall:
     bound: str = ""  # what is lost, as text: e^T KD e
     of: str = ""  # what goes to zero, as text: CLPE goes
     level: Any = None
+    decay: Expr | None = None  # that V stays below
     zeroed: Mapping[Any, Any] = field(default_factory=dict)  # inputs that are 0
     conditions: list[Condition] = field(default_factory=list)
     rate: Expr | None = None  # V' as it was judged

@@ -1,7 +1,8 @@
 """A verdict as data: a status, a conclusion with the steps that it requires, and conditions.
 
-The sentence is made from the fields.  `CONCLUSIONS` are ordered: a verdict has the first whose
-requirements are all shown by steps that hold.
+The sentence is made from the fields.  A verdict has all conclusions whose requirements are shown by
+steps that hold, and what these imply, in the order of `CONCLUSIONS`.  The sentence says the first;
+code asks `verdict.implies("comes to rest")`.
 
     square-integrable       V' <= -q^2 and V >= 0            =>  int q^2 dt <= V(0)
     goes to zero            and q' is bounded where V is     =>  q -> 0 (Barbalat)
@@ -12,8 +13,10 @@ requirements are all shown by steps that hold.
 """
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from typing import Any, Literal, NamedTuple
+
+from sympy import Expr
 
 from ..algebra.texts import bound_text, cut, outward
 from .statements import Statement, joined, said
@@ -31,6 +34,8 @@ class Conclusion(NamedTuple):
     sentence: str  # of the fields of a verdict
     requires: frozenset[str]  # of `Step.shows`
     to_do: str  # by the reader, to use it or to show more
+    implies: tuple[str, ...] = ()  # conclusions beside those that require less
+    is_of_loss: bool = False  # whether it is about the most that V may lose
 
 
 REQUIREMENTS = {  # what a step shows, `Step.shows` -> in words
@@ -49,6 +54,7 @@ REQUIREMENTS = {  # what a step shows, `Step.shows` -> in words
     "ceiling": "V' <= 0 where V >= level",
     "mean": "V' <= -q^2/2 + c",
     "zone": "V' <= 0, and < 0 where e is outside a zone",
+    "decays": "V' <= -k V",
     "region": "V' < 0 in a box where V is below a level (`within=`)",
     "jumps": "V rises at no jump",
     "exists": "runs exist for all t",
@@ -74,10 +80,16 @@ CONCLUSIONS = {
         _needs("definite zone limit jumps exists"),
         "a smaller zone needs a smaller disturbance",
     ),
+    "exponentially stable": Conclusion(
+        "so the rest is exponentially stable from every start, V <= {decay}",
+        _needs("definite all falls rest decays jumps exists"),
+        "`decay` bounds V",
+    ),
     "asymptotically stable": Conclusion(
         "so the rest is asymptotically stable from every start",
         _needs("definite all falls rest jumps exists"),
         "nothing more is needed",
+        ("comes to rest", "goes to zero"),
     ),
     "comes to rest": Conclusion(
         "so every run comes to rest and {of} to zero",
@@ -88,6 +100,7 @@ CONCLUSIONS = {
         "so {of} to zero, and all rates do",
         _needs("definite falls still jumps exists"),
         "a run may drift for ever along a line of rests",
+        ("goes to zero",),
     ),
     "goes to zero": Conclusion(
         "so {of} to zero",
@@ -113,6 +126,7 @@ CONCLUSIONS = {
         "so the integral of {bound} is at most {of}",
         _needs("definite falls loses jumps"),
         "a step says which signal keeps the rate from being bounded: bound it, or put it in V",
+        is_of_loss=True,
     ),
     "stable": Conclusion(
         "so the rest is stable",
@@ -197,8 +211,8 @@ class Judged:
         ``"proved"``, ``"refuted"`` or ``"open"``.
     claim : str
         What is shown of V', or where it fails, or which step is missing.
-    conclusion : str
-        A row of `CONCLUSIONS` that follows from the steps; "" unless proved.
+    conclusions : tuple of str
+        Rows of `CONCLUSIONS` that follow from the steps, the strongest first; none unless proved.
     of : str
         What the conclusion is about: "CLPE goes", "y - ym goes".
     bound : str
@@ -209,19 +223,40 @@ class Judged:
         What was tried, and how.
     level : sympy.Expr, float or None
         V of the set that is reached, or below which a run comes to rest.
+    decay : sympy.Expr or None
+        V(0) e^(-k t), which V stays below if V' <= -k V.
     for_every_N : bool
         Whether it is proved for every number of basis functions.
     """
 
     status: Status
     claim: str
-    conclusion: str = field(default="", kw_only=True)
+    conclusions: tuple[str, ...] = field(default=(), kw_only=True)
     of: str = field(default="", kw_only=True)
     bound: str = field(default="", kw_only=True)
     conditions: tuple[Condition, ...] = field(default=(), kw_only=True)
     steps: tuple[Step, ...] = field(default=(), kw_only=True)
     level: Any = field(default=None, kw_only=True)
+    decay: Expr | None = field(default=None, kw_only=True)
     for_every_N: bool = field(default=False, kw_only=True)
+
+    @property
+    def conclusion(self) -> str:
+        """The strongest conclusion; "" unless proved."""
+        return next(iter(self.conclusions), "")
+
+    def implies(self, conclusion: str) -> bool:
+        """Return whether a row of `CONCLUSIONS` follows from what is proved."""
+        return conclusion in self.conclusions
+
+    @property
+    def follows(self) -> Statement:
+        """The strongest conclusion and its data, in words and expressions."""
+        level = self.level
+        if level is not None and not isinstance(level, str):
+            level = outward(level)
+        data = {"of": self.of, "bound": self.bound or level, "decay": self.decay}
+        return said(CONCLUSIONS[self.conclusion].sentence, level=level, **data)
 
     @property
     def shown(self) -> str:
@@ -234,11 +269,10 @@ class Judged:
         level = self.level
         if level is not None and not isinstance(level, str):
             level = bound_text(level)
-        level, bound = (
-            text and cut(text, LONGEST_BOUND) for text in (level, self.bound)
-        )
-        row = CONCLUSIONS[self.conclusion]
-        follows = said(row.sentence, of=self.of, bound=bound or level, level=level)
+        level = level and cut(level, LONGEST_BOUND)
+        follows = replace(
+            self, level=level, bound=cut(self.bound, LONGEST_BOUND)
+        ).follows
         claim = cut(self.claim, most - len(follows) - 2)
         return ", ".join(filter(None, (claim, follows)))
 
@@ -252,16 +286,9 @@ class Judged:
     @property
     def statement(self) -> Statement:
         """The sentence without cuts, with its expressions."""
-        parts, level = [said("{}", self.claim)], self.level
-        if self.conclusion:
-            if level is not None and not isinstance(level, str):
-                level = outward(level)
-            fields = {"of": self.of, "bound": self.bound or level, "level": level}
-            row = CONCLUSIONS[self.conclusion]
-            parts.append(
-                joined(", ", filter(None, (parts.pop(), said(row.sentence, **fields))))
-            )
-        parts += (condition.statement for condition in self.conditions)
+        follows = [self.follows] if self.conclusion else []
+        shown = joined(", ", filter(None, [self.claim, *follows]))
+        parts = shown, *(condition.statement for condition in self.conditions)
         return joined("; ", filter(None, parts))
 
     @property
@@ -275,14 +302,20 @@ class Judged:
         return tuple(step for step in self.steps if step.needed and not step.holds)
 
 
-def concluded(steps: Iterable[Step], given: str = "") -> str:
-    """Return the first conclusion whose requirements are given or shown by steps, or ""."""
+def concluded(steps: Iterable[Step], given: str = "") -> tuple[str, ...]:
+    """Return the conclusions whose requirements are given or shown by steps, and those implied."""
     shows = [step.shows for step in steps if step.holds]
     available = {*" ".join([given, *shows]).split()}
-    names = (name for name, row in CONCLUSIONS.items() if row.requires <= available)
-    return next(names, "")
+    follow = [name for name, row in CONCLUSIONS.items() if row.requires <= available]
+    for name in follow:
+        follow += {*CONCLUSIONS[name].implies}.difference(follow)
+    return tuple(filter(follow.__contains__, CONCLUSIONS))
 
 
 def strength(judged: Judged) -> int:
-    """Return the place of a conclusion in the table, the strongest first; of none the last."""
-    return [*CONCLUSIONS, ""].index(judged.conclusion)
+    """Return the place in the table of the strongest conclusion that needs no rate of V.
+
+    For a rate of its fall a V is not judged with numbers for parameters.
+    """
+    names = (c for c in judged.conclusions if "decays" not in CONCLUSIONS[c].requires)
+    return [*CONCLUSIONS, ""].index(next(names, ""))

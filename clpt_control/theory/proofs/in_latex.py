@@ -17,7 +17,7 @@ from sympy import Symbol, sympify
 from ...engine.diagram.typesetting import in_lines, typeset
 from ..algebra.texts import LARGEST, rounded
 from .conclusions import CONCLUSIONS, signs_of
-from .statements import Formula, joined, said
+from .statements import Formula, joined
 
 ENVIRONMENTS = {"proved": "theorem", "refuted": "proposition", "open": "conjecture"}
 WRAPPED = TextWrapper(900, break_long_words=False, break_on_hyphens=False)
@@ -80,13 +80,9 @@ def _statement(verdict: Any) -> Iterator[str]:
         yield f"Not shown: {written(missing)}."
     if verdict.status != "proved":
         return
-    row = CONCLUSIONS[verdict.conclusion]
-    if not row.requires & {"falls", "claimed"}:
+    if not CONCLUSIONS[verdict.conclusion].requires & {"falls", "claimed"}:
         yield f"Claim: {written(claim)}."
-    level = "" if verdict.level is None else sympify(verdict.level)
-    fields = {"of": verdict.of, "bound": verdict.bound or level, "level": level}
-    words = said(row.sentence.removeprefix("so "), **fields)
-    yield f"Conclusion: {written(words)}."
+    yield f"Conclusion: {written(verdict.follows).removeprefix('so ')}."
     conditions = [condition.statement for condition in verdict.conditions]
     if verdict.diagram is not None:  # a law, whose gains have these signs
         conditions.append(signs_of(verdict.V.free_symbols | verdict.rate.free_symbols))

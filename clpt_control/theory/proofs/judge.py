@@ -42,7 +42,7 @@ from ..algebra.facts import is_continuous
 from ..algebra.slopes import meets_smoothly
 from ..algebra.sums_of_squares import simplest, squares, zero_of
 from .answers import Definite, Fall, Jumps, Refutation
-from .conclusions import Condition, Judged, Status, concluded
+from .conclusions import CONCLUSIONS, Condition, Judged, Status, concluded
 from .ends import Ends, ends
 from .in_coq import File
 from .in_latex import verdict_in_latex
@@ -67,6 +67,8 @@ class Verdict(Judged):
         at a jump from `point` to `after`; ``"open"``: none of these is known.
     conclusion : str
         Of a proof: "goes to zero", "ultimately bounded", ...: a row of the table of docs/theory.md.
+    conclusions : tuple of str
+        All rows that follow, that of `conclusion` first: ``verdict.implies("goes to zero")``.
     conditions : tuple of Condition
         Where it holds: "for t >= 0", "where u = 0", "x is not held by V, and bounded", ...
     claim : str
@@ -87,6 +89,8 @@ class Verdict(Judged):
     level : sympy.Expr, float or None
         V of the set that is reached, in theta, KD, GammaD and Delta_1, Delta_2, the largest
         disturbance of each axis; or a number below which what begins in the box comes to rest.
+    decay : sympy.Expr or None
+        V(0) e^(-k t), which V stays below, if V' <= -k V is shown.
     residual : sympy.Expr
         Of a law: V' less its fall, V' + e^T KD e, multiplied out.
     diagram : Diagram or None
@@ -159,12 +163,12 @@ class Verdict(Judged):
         Examples
         --------
         >>> import clpt_control as clpt
-        >>> lag = clpt.Block("lag", update=lambda t, x, u, p: {"x": -x.x}, states={"x": 1})
-        >>> print(clpt.lyapunov(lag, lambda s: s.x**2 / 2).latex()[:226])
+        >>> lag = clpt.Block("lag", update=lambda t, x, u, p: {"x": -x.x**3}, states={"x": 1})
+        >>> print(clpt.lyapunov(lag, lambda s: s.x**2 / 2).latex()[:230])
         \begin{theorem}
-        Let \[ \begin{aligned}\dot{x} &= - x\end{aligned} \]
+        Let \[ \begin{aligned}\dot{x} &= - x^{3}\end{aligned} \]
         and $\displaystyle V = \frac{x^{2}}{2}$.
-        Then $\displaystyle \dot V = - x^{2}$.
+        Then $\displaystyle \dot V = - x^{4}$.
         Conclusion: the rest is asymptotically stable from every start.
         \end{theorem}
         """
@@ -185,7 +189,8 @@ class Verdict(Judged):
 class LyapunovCandidate(ABC):
     """A function V on equations, and the questions that are asked of it.
 
-    Each question is a function of the candidate and of earlier answers (`answers`).
+    In: equations, V, and V' along them.  Out: answers (`answers`), each with its step, and in the
+    end a verdict.  Each question is a function of the candidate and of earlier answers.
     """
 
     system: Any
@@ -428,20 +433,21 @@ class Answers:
             if found is not None:
                 return refuted(self.candidate, found, fall, steps)
             failed = first_failure([self.jumps.step])
-        conclusion = "" if failed else concluded(steps, "" if self.jumps else "jumps")
-        if not conclusion:
+        follow = () if failed else concluded(steps, "" if self.jumps else "jumps")
+        if not follow:
             needed = first_failure(step for step in steps if step.needed)
             return verdict("open", failed or said("{}; {}", fall.claim, needed))
         of = self.ends.of if self.ends else fall.of
-        if conclusion == "square-integrable":
+        if CONCLUSIONS[follow[0]].is_of_loss:
             of = self.definite.most_lost
         return verdict(
             "proved",
             fall.claim,
-            conclusion=conclusion,
+            conclusions=follow,
             of=of,
             bound=fall.bound,
             level=fall.level,
+            decay=fall.decay,
             conditions=(*fall.conditions, *self.where),
             for_every_N=self.for_every_N,
             ways=partial(self.candidate.ways, self.definite, fall),

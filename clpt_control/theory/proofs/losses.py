@@ -9,7 +9,7 @@ from itertools import islice, product
 from typing import Any
 
 import sympy
-from sympy import Dummy, Expr, Mul, S, Symbol, expand
+from sympy import Add, Dummy, Expr, Mul, S, expand
 
 from ...engine.diagram.symbol_names import TIME
 from ..algebra.decided import decided
@@ -65,16 +65,23 @@ def lost_slowly(case: Any, bound: Expr) -> Sequence[Expr]:
     return lost_forms(Mul(*factors) / f, case.fixed, set()) if is_slow else []
 
 
-def time_to_zero(case: Any, bound: Expr) -> Expr | None:
-    """Return when V is 0: V' <= -k V^q, 0 < q < 1, as V = sum a |s|^p loses b |s|^(p q).
+def powers_lost(case: Any, bound: Expr) -> dict[Expr, Expr]:
+    """Return q -> k of V' <= -k V^q, 0 < q <= 1, as V = sum a |s|^p loses b |s|^(p q).
 
     V^q is at most the sum of the powers q of its terms.
     """
     corners = (-rate for _, rate in case.where.corners(bound))
-    V, *losses = (normal_form(e.xreplace(case.errors[0])) for e in (case.V, *corners))
+    in_errors = case.errors[0] or {s: s + rest for s, rest in case.origin.items()}
+    V, *losses = (normal_form(e.xreplace(in_errors)) for e in (case.V, *corners))
     states, size = V.free_symbols - case.fixed, Dummy(positive=True)
     if V.has(TIME) or decided(V.xreplace(dict.fromkeys(states, S.Zero))) != 0:
-        return None
+        return {}
+
+    def is_of_one(term: Expr) -> bool:
+        """Return whether a term of a loss has one state, or may be negative."""
+        return len(term.free_symbols & states) < 2 or not term.is_nonnegative
+
+    losses = [Add(*filter(is_of_one, Add.make_args(loss))) for loss in losses]
     shares = list[dict[Expr, Expr]]()  # q -> k
     for s, loss, side in product(states, losses, (size, -size)):
         of_s = [g for e in (V, loss) for g in groups_of(e, states) if g.has(s)]
@@ -88,14 +95,12 @@ def time_to_zero(case: Any, bound: Expr) -> Expr | None:
             b.is_nonnegative and not b.free_symbols - case.fixed for _, b in parts
         )
         if len(found[0]) != 1 or not is_known:
-            return None
+            return {}
         (p, a), *lost = parts
         shares.append({n / p: b / a ** (n / p) for n, b in lost})
-    for q in set[Expr].intersection(*map(set, shares)) if shares else ():
-        if q.is_positive and 1 - q > LEAST:
-            k = sympy.Min(*(share[q] for share in shares))
-            return Symbol("V(0)", positive=True) ** (1 - q) / (k * (1 - q))
-    return None
+    powers = set[Expr].intersection(*map(set, shares)) if shares else ()
+    slowest = {q: sympy.Min(*(share[q] for share in shares)) for q in powers}
+    return {q: k for q, k in slowest.items() if q == 1 or (q > 0 and 1 - q > LEAST)}
 
 
 def _has_no_integral(f: Expr) -> bool:

@@ -19,7 +19,7 @@ from ...base.errors import ClptError, DiagramError
 from ...base.units import at_least
 from .answers import Fall
 from .between import margins_of
-from .conclusions import CONCLUSIONS, Condition, concluded, signs_of, strength
+from .conclusions import Condition, concluded, signs_of, strength
 from .judge import Answers, Verdict, asked, refuted, with_refutation
 from .rate_as_sum import in_region
 from .region import Region
@@ -30,12 +30,6 @@ from .steps import How, Step, first_failure, worked_out
 from .system_candidate import SystemCandidate
 
 NOT_HELD = ("outside V", "existence")  # conditions on states that V does not contain
-MEAN = "bounded in the mean"
-AS_STRONG = (
-    "asymptotically stable"  # numbers are tried where LaSalle's rest is not shown
-)
-
-
 Reader = Callable[..., SystemCandidate]
 OF_PARAMETERS = "values", "signs", "between"  # names of conditions
 MOST_MARGINS = 3  # conditions between parameters
@@ -74,7 +68,7 @@ def _holds(verdict: Verdict, read: Reader) -> bool:
     more = {c for c in weaker.conditions if c.name not in OF_PARAMETERS}
     # symbols may give the forms that go to zero another order
     counts = (judged.of.count(",") for judged in (weaker, verdict))
-    is_same = weaker.conclusion == verdict.conclusion and len({*counts}) == 1
+    is_same = strength(weaker) == strength(verdict) and len({*counts}) == 1
     return is_same and more <= given
 
 
@@ -149,7 +143,7 @@ def _in_region(candidate: SystemCandidate, within: Any) -> Verdict:
         "proved",
         claim,
         Fall([]),
-        conclusion=concluded(steps),
+        conclusions=concluded(steps),
         conditions=tuple(candidate.conditions(inputs)),
         steps=steps,
     )
@@ -175,7 +169,7 @@ def _searched(
             names = joined(", ", (of[0] for of in parts))
             claim = said("V found, but it does not contain {}", names)
             best = replace(
-                verdict, status="open", claim=claim, conclusion="", conditions=()
+                verdict, status="open", claim=claim, conclusions=(), conditions=()
             )
     inputs = ", ".join(str(f.func) for f in candidate.inputs)
     still = f", with {inputs} = 0," if inputs else ""
@@ -285,8 +279,11 @@ def lyapunov(
         if within:
             return _in_region(candidate, within)
         answers = asked(candidate)
-        weakest = AS_STRONG if answers.ends and answers.ends.cases else "goes to zero"
-        is_final = strength(answers.verdict) <= [*CONCLUSIONS].index(weakest)
+        # numbers are tried where LaSalle's rest is not shown
+        has_cases = answers.ends and answers.ends.cases
+        is_final = answers.verdict.implies(
+            "asymptotically stable" if has_cases else "goes to zero"
+        )
         if candidate.eq.values and (_zeroed(answers) or not is_final):
             of_numbers = asked(read(numbers=True))
             is_stronger = strength(of_numbers.verdict) < strength(answers.verdict)
@@ -298,7 +295,9 @@ def lyapunov(
             if claim is not None:  # it holds with the inputs
                 pushed = partial(read, is_pushed=True)
                 with_inputs = asked(pushed())
-                if failure is not None or with_inputs.verdict.conclusion == MEAN:
+                if failure is not None or with_inputs.verdict.implies(
+                    "bounded in the mean"
+                ):
                     read, answers = pushed, with_inputs
             elif failure is not None:
                 return refuted(candidate, failure, answers.fall, answers.steps)

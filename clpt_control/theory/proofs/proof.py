@@ -82,12 +82,11 @@ def where_all_hold(
     if failed := first_failure(steps):
         return Proof("open", failed, steps=steps)
     every_N = exact_for_every_N(steps)
-    conclusion = concluded(steps, given)
     of_N = Condition("N", "every N") if every_N else for_sizes(sizes)
     return Proof(
         "proved",
         claim,
-        conclusion=conclusion,
+        conclusions=concluded(steps, given),
         conditions=(*conditions, of_N),
         steps=steps,
         for_every_N=every_N,

@@ -46,7 +46,7 @@ from .answers import Definite, Fall, Refutation
 from .between import as_relation, assume
 from .conclusions import Condition, Status
 from .judge import LyapunovCandidate, Verdict, asked
-from .losses import forms_lost, lost_slowly, time_to_zero
+from .losses import forms_lost, lost_slowly, powers_lost
 from .point_search import Failure, PointSearch
 from .pushed_claims import mean_of
 from .rate_as_sum import Ways, of_system
@@ -63,7 +63,11 @@ MOST_IN_PRODUCT = 1000  # terms of a fraction that is factored
 
 
 class SystemCandidate(LyapunovCandidate):
-    """A diagram with a V of the user; parameters are symbols, or numbers but for `symbols`."""
+    """A diagram with a V of the user, as `lyapunov` reads it.
+
+    In: the diagram, V, and what else the user gives.  Parameters are symbols, or numbers but for
+    `symbols`; `unsigned` ones may be any real number; each of `margins` is positive.
+    """
 
     place = ""  # where V is to be least, as text
     sizes = ""  # numbers of functions for which V' is as shown: N = 2
@@ -434,10 +438,20 @@ class SystemCandidate(LyapunovCandidate):
         losses = forms_lost(self, bound, bounded)
         if not claim.endswith("= 0"):
             claim = said("{} <= 0", claim)
-        if not (self.eq.discrete or self.eq.jumps) and (t := time_to_zero(self, bound)):
-            time = outward(self.in_signals(t), keeps_short=True)
+        powers = {} if self.eq.discrete else powers_lost(self, bound)
+        k, start, decay = powers.pop(S.One, None), Symbol("V(0)", positive=True), None
+        if k is not None:
+            shares = map(self.in_signals, sympy.Min.make_args(k))
+            k = sympy.Min(*map(factored, shares))
+            k = outward(k, up=False, keeps_short=True) if k.is_number else k
+            decay = start * sympy.exp(-k * TIME)
+        if powers and not self.eq.jumps:
+            ((q, k), *_) = powers.items()
+            time = self.in_signals(start ** (1 - q) / (k * (1 - q)))
+            time = outward(time, keeps_short=True)
             claim = said("{}, V is 0 after the time {}", claim, time)
         shows = "falls" + " loses" * bool(losses) + " rest" * ("after" in claim)
+        shows += " decays" * (decay is not None)
         steps.append(exact(said("{}{}", claim, where), True, "", shows))
         return Fall(
             steps,
@@ -448,6 +462,7 @@ class SystemCandidate(LyapunovCandidate):
             zeroed=zeroed,
             rate=falling if self.claim is None and most is None else None,
             conditions=self.conditions(inputs if zeroed else []),
+            decay=decay,
         )
 
     def bounds(self, definite: Definite, fall: Fall) -> Fall:
@@ -499,10 +514,9 @@ class SystemCandidate(LyapunovCandidate):
     def ends_at(self, low: np.ndarray, high: np.ndarray) -> list[dict]:
         """Return the rests between states, to one of which every run comes; [] if not known."""
         answers = asked(self)
-        conclusion = answers.verdict.conclusion
-        if conclusion == "asymptotically stable":
+        if answers.verdict.implies("asymptotically stable"):
             return [dict(answers.definite.least or {})]
-        if conclusion != "comes to rest" or not answers.ends:
+        if not (answers.verdict.implies("comes to rest") and answers.ends):
             return []
         rests = [case.rests(low, high) for case in answers.ends.cases]
         return [*chain(*rests)] if all(rests) else []
