@@ -654,7 +654,6 @@ FALLS_EXPONENTIALLY = {
     "x' = -2*x - x**3; V = x**2": "4*t",
     "x' = 3 - x; V = (x - 3)**2/2; at x = 3": "2*t",
     "x' = -x*(1 + y**2); y' = -3*y": "2*t",
-    "x' = -x; y' = -2*y; V = abs(x) + y**2": "t",
 }
 FALLS_SLOWER = [
     "x' = -x**3",
@@ -664,6 +663,9 @@ FALLS_SLOWER = [
     "x' = -x/(1 + x**2)",
     "x' = y; y' = -x - y",  # V' = -y^2
     "x' = -x; V = x**2 + x**4",  # two powers
+    "x' = -x; y' = -2*y; V = abs(x) + y**2",
+    # from (L, 0) y reaches about L^2/e: no multiple of |(x, y)(0)| bounds it
+    "x' = -x + 2*y; y' = -y - 4*x**3; V = x**4 + y**2",
 ]
 
 

@@ -68,7 +68,8 @@ def lost_slowly(case: Any, bound: Expr) -> Sequence[Expr]:
 def powers_lost(case: Any, bound: Expr) -> dict[Expr, Expr]:
     """Return q -> k of V' <= -k V^q, 0 < q <= 1, as V = sum a |s|^p loses b |s|^(p q).
 
-    V^q is at most the sum of the powers q of its terms.
+    V^q is at most the sum of the powers q of its terms.  q = 1 only if all terms have one power p,
+    so that V is between powers of the distance.
     """
     corners = (-rate for _, rate in case.where.corners(bound))
     in_errors = case.errors[0] or {s: s + rest for s, rest in case.origin.items()}
@@ -82,6 +83,7 @@ def powers_lost(case: Any, bound: Expr) -> dict[Expr, Expr]:
         return len(term.free_symbols & states) < 2 or not term.is_nonnegative
 
     losses = [Add(*filter(is_of_one, Add.make_args(loss))) for loss in losses]
+    sizes = set[Expr]()  # p
     shares = list[dict[Expr, Expr]]()  # q -> k
     for s, loss, side in product(states, losses, (size, -size)):
         of_s = [g for e in (V, loss) for g in groups_of(e, states) if g.has(s)]
@@ -97,9 +99,12 @@ def powers_lost(case: Any, bound: Expr) -> dict[Expr, Expr]:
         if len(found[0]) != 1 or not is_known:
             return {}
         (p, a), *lost = parts
+        sizes.add(p)
         shares.append({n / p: b / a ** (n / p) for n, b in lost})
     powers = set[Expr].intersection(*map(set, shares)) if shares else ()
     slowest = {q: sympy.Min(*(share[q] for share in shares)) for q in powers}
+    if len(sizes) > 1:
+        slowest.pop(S.One, None)
     return {q: k for q, k in slowest.items() if q == 1 or (q > 0 and 1 - q > LEAST)}
 
 
