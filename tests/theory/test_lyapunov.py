@@ -294,3 +294,16 @@ def test_a_polynomial_of_one_state_comes_down_to_its_farthest_root(text, root):
     assert (found.status, found.conclusion) == ("proved", "ultimately bounded")
     if root:
         assert root**2 / 2 * (1 - 1e-9) <= found.level <= root**2 / 2 * 1.002
+
+
+@pytest.mark.parametrize(
+    ("rate", "V"),
+    [
+        (lambda t, x, u, p: [-x[0]], lambda s: -np.log(1 - s.x**2)),
+        (lambda t, x, u, p: [1 - x[0]], lambda s: s.x - np.log(s.x)),
+    ],
+)
+def test_no_point_refutes_where_V_has_no_value(rate, V):
+    """Right barriers, of which V' is positive where the logarithm has no value."""
+    loop = control.nlsys(rate, states=["x"], inputs=0, name="loop")
+    assert clpt.lyapunov(loop, V).status == "open"

@@ -347,16 +347,20 @@ class PointSearch:
         return self.sign_at(scaled.LC(), -1)
 
     def rate_above(self, rate: Expr, claim: Expr, still: bool) -> Failure | None:
-        """Return a point at which V' of the running blocks is above a claim, and V'."""
+        """Return a point at which V' of the running blocks is above a claim, and V'.
+
+        V has a value there: the logarithm of 1 - x**2 may have a slope where it has none.
+        """
         for highest in self.highest(rate - claim, still):
             states = self.scaled(highest.x, ENLARGED)
             is_small = np.abs(states).max(axis=1, initial=0.0) <= LARGE_STATE
             is_small[-1] = True  # the point itself
             points = [highest._replace(x=x) for x in states[is_small]]
-            values, sizes, _ = self.rates_at(highest, states[is_small])
-            for point, value, size in zip(points, values, sizes, strict=True):
+            found = np.array(self.rates_at(highest, states[is_small]))
+            for point, (value, size, V) in zip(points, found.T, strict=True):
                 claimed = self.value_at(claim, point)
-                if value - claimed > SIGNIFICANT * max(size, abs(claimed)):
+                excess = value - claimed if np.isfinite(V) else -np.inf
+                if excess > SIGNIFICANT * max(size, abs(claimed)):
                     return point, float(value)
         return None
 
