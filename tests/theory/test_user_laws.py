@@ -409,7 +409,7 @@ def test_a_state_that_may_end_is_said(make, ends):
     verdict = of(make())
     assert (verdict.status, verdict.conclusion) == ("proved", "square-integrable")
     assert ("existence", ends) in fields_of(verdict)
-    assert f"as long as {ends} exist" in verdict.sentence
+    assert f"as long as runs of {ends} exist" in verdict.sentence
 
 
 # --- invariants -----------------------------------------------------------------------------------
