@@ -91,6 +91,14 @@ def between(lower: Any, upper: Any) -> Ball:
     return Ball(np.where(lower == upper, lower, c), r)
 
 
+def middle(low: float, high: float) -> Interval:
+    """Return centre and radius of one interval, those of `between`."""
+    if low == high:
+        return low, 0.0
+    c = 0.5 * low + 0.5 * high
+    return c, nextafter(max(high - c, c - low), inf)
+
+
 def rounded(c: ndarray, r: ndarray, count: int = 1) -> Ball:
     """Return a ball whose centre is a sum of `count` numbers of sizes that `r` has."""
     return Ball(c, r * (GROWTH + 2 * count * UNIT) + TINY)

@@ -26,7 +26,7 @@ from ..record.operations import COMPARISONS, LOGICAL, STEPS, TABLE, Recurrence
 from ..record.scalar_graph import Elements, Index
 from . import balls
 from .ball_series import LEFT
-from .balls import FUNCTIONS, Ball, Interval, Switching, Undecided, between
+from .balls import FUNCTIONS, Ball, Interval, Switching, Undecided
 
 MOST_WHOLE = 64  # power that is a product
 UNBOUNDED = "a divisor may be 0, or a value has no bound"
@@ -275,7 +275,7 @@ class SetSeries:
         self.numbers[-6:] = places
         self.coefficients(self.address)
 
-    def put(self, slots: Any, value: Ball) -> None:
+    def put(self, slots: Any, value: Ball | Interval) -> None:
         """Write first coefficients."""
         self.C[slots, 0, 0], self.R[slots, 0, 0] = value
 
@@ -340,7 +340,7 @@ class SetSeries:
         if kind in FUNCTIONS:
             if loose and self.program.positive[operands[0]]:
                 ends = [(max(ends[0][0], 0.0), ends[0][1])]
-            self.put(result, between(*balls.function(kind, *ends[0], loose)))
+            self.put(result, balls.middle(*balls.function(kind, *ends[0], loose)))
             return 1
         choices, (low, high) = decided(step, ends)
         is_decided = len(choices) == 1 if kind in CHOICES else low == high
@@ -352,7 +352,7 @@ class SetSeries:
             self.whole[line, LEFT] = operands[choices[0]]
             if kind != "mod":
                 return 0
-        self.put(result, between(low, high))
+        self.put(result, balls.middle(low, high))
         return int(kind in CHOICES)
 
 
