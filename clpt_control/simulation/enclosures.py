@@ -15,6 +15,7 @@ from ..base.labelled import Labelled, unit_of, unlabelled
 from ..engine.codegen.diagram_record import DiagramRecord, Form
 from ..engine.codegen.directional_derivatives import read_as_number
 from ..engine.enclosure.balls import Ball, between
+from ..engine.enclosure.noise import InputNoise
 from ..engine.enclosure.set_program import SetProgram
 from ..engine.enclosure.sets import Enclosure, enclosed
 from ..engine.model.declaration import same_unit
@@ -23,6 +24,7 @@ from ..engine.record.unread import Unread
 from ..engine.solver.engine_choice import difference
 from ..engine.solver.inputs import Inputs
 from ..engine.solver.native_diagram import NativeDiagram
+from ..engine.solver.schedule import Schedule
 from ..engine.solver.termination import Solution
 from .comparison import panels_for
 from .diagram_runs import DiagramRun, distinct_labels, fields_of
@@ -216,10 +218,15 @@ def enclose(
         natives = natives_of(made, [end[2] for end in ends], requests)
         layout = natives[0].layout
         record = DiagramRecord(made.wiring, layout, Form(exact=True))
-        start = between(low, high)
+        start, middle = between(low, high), between(lower, upper)
+        schedule = natives[0].schedule(request.times, Inputs((at, middle.c)))
+        with np.errstate(invalid="ignore"):  # limits may be infinite
+            P = between(layout.P, layout.packed(natives[1].sweep.parameters))
+        noise = noise_of(at, middle, len(layout.P) + 1)
+        fixed = fixed_numbers(P, schedule, noise)
         leaps = record.rates if made.wiring.dt else record.leaps
         programs = [
-            SetProgram(record, ports, len(start.c))
+            SetProgram(record, ports, len(start.c), fixed, noise.places)
             for ports in (record.rates, record.signals, leaps)
         ]
         rates, signals, _ = programs
@@ -232,22 +239,13 @@ def enclose(
         ) from None
     signals.connect(record)
     names = names_of(made, signals)
-    with np.errstate(invalid="ignore"):  # limits may be infinite
-        P = between(layout.P, layout.packed(natives[1].sweep.parameters))
     # 2. boxes, with room for inputs in P
     room = np.zeros(layout.inputs(made.wiring.ninputs) - len(P.c))
     pairs = zip(start, P, strict=True)
     whole = Ball(*(np.concatenate([x, p, room]) for x, p in pairs))
-    middle = between(lower, upper)
-    noise = np.max(middle.r, axis=1)
-    # lines between samples, and between the middles, are rounded
-    noise += np.where(noise, ROUNDING * np.max(middle.size, axis=1), 0.0)
-    disturbed = np.zeros(len(P.c) + len(room))
-    disturbed[len(layout.P) + 1 :][: len(noise)] = noise
     jumps = None if made.wiring.dt else [*layout.jumps.values()]
     times = request.times if request.steps is None else request.times[request.steps]
-    schedule = natives[0].schedule(request.times, Inputs((at, middle.c)))
-    runs = enclosed(whole, schedule, pieces, programs, disturbed, times, jumps)
+    runs = enclosed(whole, schedule, pieces, programs, noise, times, jumps)
     lost = {names[one.n + k]: why for one in runs for k, why in one.lost.items()}
     whose = "all states and outputs" + (f" but {', '.join(lost)}" if lost else "")
     tube = dataset_of(runs, names, f"{GUARANTEED} {whose}")
@@ -269,6 +267,29 @@ def enclose(
             f"began in, so the `over_` boxes of {whose} up to then hold for ever"
         )
     return tube
+
+
+def noise_of(times: np.ndarray, middle: Ball, first: int) -> InputNoise:
+    """Return how far inputs may be from their middles; `first` is the place of the first in P."""
+    # lines between samples, and between the middles, are rounded
+    sizes = np.max(middle.size, axis=1, keepdims=True, initial=0.0)
+    rows = np.flatnonzero(middle.r.any(axis=1)).tolist()
+    radii = (middle.r + ROUNDING * sizes)[rows]
+    return InputNoise([first + k for k in rows], times, radii)
+
+
+def fixed_numbers(P: Ball, schedule: Schedule, noise: InputNoise) -> dict[int, float]:
+    """Return numbers of P that are points and never change, by their places."""
+    columns = zip(schedule.indices.tolist(), schedule.values.T, strict=True)
+    begin = len(P.c)  # of a segment of inputs
+    changing, fixed = {begin, *noise.places}, dict[int, float]()
+    for k, column in columns:
+        if np.ptp(column):
+            changing.add(k)
+        else:
+            fixed[k] = column[0]
+    given = {k: P.c[k] for k in np.flatnonzero(P.r == 0.0).tolist()}
+    return {k: float(v) for k, v in (given | fixed).items() if k not in changing}
 
 
 def names_of(made: DiagramRun, signals: SetProgram) -> list[str]:

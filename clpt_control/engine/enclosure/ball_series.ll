@@ -1,4 +1,4 @@
-; sha256 654bf7d88b859825cd4f2c4e939c340ca3491a52f785b73e303883e4e8514756 5556f5018a19b5f83e5fd21c29ea03cda085ca5aa2e5e249dd9e49609626e8ed, Python 3.11, numba 0.68.1
+; sha256 f21f1814cacd1e6d1cffa5ce0859203eb9be6a81a0ee6e0349d3eac5a6b12be0 31be26a722ff8d1d0c7ad7bd7fbf79633dbefac021431ebbc64dcf9e19acb011, Python 3.11, numba 0.68.1
 
 ; Function Attrs: nofree norecurse nosync nounwind memory(argmem: readwrite)
 define dso_local noundef i32 @coefficients_of_many(ptr noalias %v0, ptr noalias readnone %v1, ptr readnone %v2, ptr readnone %v3, i64 %v4, i64 %v5, ptr %v6, i64 %v7, i64 %v8, i64 %v9, i64 %v10, i64 %v11, i64 %v12, ptr readnone %v13, ptr readnone %v14, i64 %v15, i64 %v16, ptr %v17, i64 %v18, i64 %v19, i64 %v20, i64 %v21, i64 %v22, i64 %v23, ptr readnone %v24, ptr readnone %v25, i64 %v26, i64 %v27, ptr readonly %v28, i64 %v29, i64 %v30, i64 %v31, i64 %v32, ptr readnone %v33, ptr readnone %v34, i64 %v35, i64 %v36, ptr readonly %v37, i64 %v38, i64 %v39, i64 %v40, i64 %v41, ptr readnone %v42, ptr readnone %v43, i64 %v44, i64 %v45, ptr readonly %v46, i64 %v47, i64 %v48, i64 %v49, i64 %v50, ptr readnone %v51, ptr readnone %v52, i64 %v53, i64 %v54, ptr readonly %v55, i64 %v56, i64 %v57, i64 %v58, i64 %v59, i64 %v60, i64 %v61, i64 %v62, i64 %v63) local_unnamed_addr {
@@ -21,613 +21,650 @@ v67:
   %v79 = mul i64 %v20, %v19
   %v80 = mul i64 %v9, %v8
   %v81 = mul i64 %v20, %v19
-  %v82 = icmp sgt i64 %v76, 0
-  %v83 = zext i1 %v82 to i64
-  %v84 = add i64 %v58, %v83
-  %v85 = sext i1 %v82 to i64
-  %v86 = add nsw i64 %v77, %v85
-  %v87 = select i1 %v82, i64 %v58, i64 0
-  %v88 = sub i64 %v63, %v62
-  %v89 = tail call i64 @llvm.smax.i64(i64 %v88, i64 0)
-  %v90 = icmp sgt i64 %v88, 0
-  %v91 = zext i1 %v90 to i64
-  %v92 = add i64 %v62, %v91
-  %v93 = sext i1 %v90 to i64
-  %v94 = add nsw i64 %v89, %v93
-  %v95 = select i1 %v90, i64 %v62, i64 0
-  %v96 = mul i64 %v9, %v8
-  %v97 = mul i64 %v20, %v19
+  %v82 = mul i64 %v9, %v8
+  %v83 = mul i64 %v20, %v19
+  %v84 = icmp sgt i64 %v76, 0
+  %v85 = zext i1 %v84 to i64
+  %v86 = add i64 %v58, %v85
+  %v87 = sext i1 %v84 to i64
+  %v88 = add nsw i64 %v77, %v87
+  %v89 = select i1 %v84, i64 %v58, i64 0
+  %v90 = sub i64 %v63, %v62
+  %v91 = tail call i64 @llvm.smax.i64(i64 %v90, i64 0)
+  %v92 = icmp sgt i64 %v90, 0
+  %v93 = zext i1 %v92 to i64
+  %v94 = add i64 %v62, %v93
+  %v95 = sext i1 %v92 to i64
+  %v96 = add nsw i64 %v91, %v95
+  %v97 = select i1 %v92, i64 %v62, i64 0
   %v98 = mul i64 %v9, %v8
   %v99 = mul i64 %v20, %v19
   %v100 = mul i64 %v9, %v8
   %v101 = mul i64 %v20, %v19
   %v102 = mul i64 %v9, %v8
   %v103 = mul i64 %v20, %v19
-  br label %v104
+  %v104 = mul i64 %v9, %v8
+  %v105 = mul i64 %v20, %v19
+  br label %v106
 
-v105:
-  %v106 = icmp sgt i64 %v107, 0
-  %v108 = sext i1 %v106 to i64
-  %v109 = add nsw i64 %v107, %v108
-  %v110 = zext i1 %v106 to i64
-  %v111 = add i64 %v112, %v110
-  %v113 = select i1 %v106, i64 %v112, i64 0
-  br i1 %v106, label %v104, label %v68
+v107:
+  %v108 = icmp sgt i64 %v109, 0
+  %v110 = sext i1 %v108 to i64
+  %v111 = add nsw i64 %v109, %v110
+  %v112 = zext i1 %v108 to i64
+  %v113 = add i64 %v114, %v112
+  %v115 = select i1 %v108, i64 %v114, i64 0
+  br i1 %v108, label %v106, label %v68
 
-v104:
-  %v114 = phi i64 [ %v60, %v67 ], [ %v113, %v105 ]
-  %v112 = phi i64 [ %v69, %v67 ], [ %v111, %v105 ]
-  %v107 = phi i64 [ %v65, %v67 ], [ %v109, %v105 ]
-  %v115 = icmp sgt i64 %v114, 0
-  br i1 %v115, label %v116, label %v117
-
-v116:
-  br i1 %v70, label %v118, label %v119
-
-v119:
-  %v120 = add nsw i64 %v114, -1
-  %v121 = mul i64 %v120, %v9
-  %v122 = getelementptr double, ptr %v6, i64 %v121
-  %v123 = uitofp i64 %v114 to double
-  %v124 = mul i64 %v114, %v9
-  %v125 = getelementptr double, ptr %v6, i64 %v124
-  %v126 = mul i64 %v120, %v20
-  %v127 = getelementptr double, ptr %v17, i64 %v126
-  %v128 = mul i64 %v114, %v20
-  %v129 = getelementptr double, ptr %v17, i64 %v128
-  br label %v130
-
-v131:
-  %v132 = icmp eq i64 %v47, %v133
-  br i1 %v132, label %v118, label %v130
+v106:
+  %v116 = phi i64 [ %v60, %v67 ], [ %v115, %v107 ]
+  %v114 = phi i64 [ %v69, %v67 ], [ %v113, %v107 ]
+  %v109 = phi i64 [ %v65, %v67 ], [ %v111, %v107 ]
+  %v117 = icmp sgt i64 %v116, 0
+  br i1 %v117, label %v118, label %v119
 
 v118:
-  %v134 = icmp eq i64 %v114, %v61
-  br i1 %v134, label %v68, label %v117
+  br i1 %v70, label %v120, label %v121
 
-v117:
-  br i1 %v82, label %v135, label %v105
+v121:
+  %v122 = add nsw i64 %v116, -1
+  %v123 = mul i64 %v122, %v9
+  %v124 = getelementptr double, ptr %v6, i64 %v123
+  %v125 = uitofp i64 %v116 to double
+  %v126 = mul i64 %v116, %v9
+  %v127 = getelementptr double, ptr %v6, i64 %v126
+  %v128 = mul i64 %v122, %v20
+  %v129 = getelementptr double, ptr %v17, i64 %v128
+  %v130 = mul i64 %v116, %v20
+  %v131 = getelementptr double, ptr %v17, i64 %v130
+  br label %v132
 
-v135:
-  %v136 = icmp slt i64 %v114, 0
-  %v137 = select i1 %v136, i64 %v8, i64 0
-  %v138 = add i64 %v137, %v114
-  %v139 = mul i64 %v138, %v9
-  %v140 = getelementptr double, ptr %v6, i64 %v139
-  %v141 = select i1 %v136, i64 %v19, i64 0
-  %v142 = add i64 %v141, %v114
-  %v143 = mul i64 %v142, %v20
-  %v144 = getelementptr double, ptr %v17, i64 %v143
-  %v145 = icmp slt i64 %v114, 0
-  %v146 = select i1 %v145, i64 %v8, i64 0
-  %v147 = add i64 %v146, %v114
-  %v148 = mul i64 %v147, %v9
-  %v149 = getelementptr double, ptr %v6, i64 %v148
-  %v150 = select i1 %v145, i64 %v19, i64 0
-  %v151 = add i64 %v150, %v114
-  %v152 = mul i64 %v151, %v20
-  %v153 = getelementptr double, ptr %v17, i64 %v152
-  %v154 = icmp eq i64 %v114, 0
-  %v155 = icmp sgt i64 %v114, 1
-  %v156 = uitofp i64 %v114 to double
-  %v157 = icmp slt i64 %v114, 0
-  %v158 = select i1 %v157, i64 %v8, i64 0
-  %v159 = add i64 %v158, %v114
-  %v160 = mul i64 %v159, %v9
-  %v161 = getelementptr double, ptr %v6, i64 %v160
-  %v162 = select i1 %v157, i64 %v19, i64 0
-  %v163 = add i64 %v162, %v114
-  %v164 = mul i64 %v163, %v20
-  %v165 = getelementptr double, ptr %v17, i64 %v164
-  %v166 = icmp slt i64 %v114, 0
-  %v167 = select i1 %v166, i64 %v8, i64 0
-  %v168 = add i64 %v167, %v114
-  %v169 = mul i64 %v168, %v9
-  %v170 = getelementptr double, ptr %v6, i64 %v169
-  %v171 = select i1 %v166, i64 %v19, i64 0
-  %v172 = add i64 %v171, %v114
-  %v173 = mul i64 %v172, %v20
-  %v174 = getelementptr double, ptr %v17, i64 %v173
-  %v175 = icmp eq i64 %v114, 0
-  br label %v176
+v133:
+  %v134 = icmp eq i64 %v47, %v135
+  br i1 %v134, label %v120, label %v132
 
-v176:
-  %v177 = phi i64 [ %v87, %v135 ], [ %v178, %v179 ]
-  %v180 = phi i64 [ %v86, %v135 ], [ %v181, %v179 ]
-  %v182 = phi i64 [ %v84, %v135 ], [ %v183, %v179 ]
-  %v184 = icmp slt i64 %v177, 0
-  %v185 = select i1 %v184, i64 %v29, i64 0
-  %v186 = add i64 %v185, %v177
-  %v187 = mul i64 %v186, %v30
-  %v188 = getelementptr i64, ptr %v28, i64 %v187
-  %v189 = load i64, ptr %v188, align 8
-  br i1 %v115, label %v190, label %v191
+v120:
+  %v136 = icmp eq i64 %v116, %v61
+  br i1 %v136, label %v68, label %v119
 
-v190:
-  %v192 = icmp slt i64 %v189, 0
-  %v193 = select i1 %v192, i64 %v56, i64 0
-  %v194 = getelementptr i64, ptr %v55, i64 %v189
-  %v195 = getelementptr i64, ptr %v194, i64 %v193
-  %v196 = load i64, ptr %v195, align 8
-  %v197 = icmp eq i64 %v196, 1
-  br i1 %v197, label %v179, label %v191
+v119:
+  br i1 %v84, label %v137, label %v107
 
-v191:
-  %v198 = getelementptr i8, ptr %v188, i64 8
-  %v199 = load i64, ptr %v198, align 8
-  %v200 = getelementptr i8, ptr %v188, i64 16
+v137:
+  %v138 = icmp slt i64 %v116, 0
+  %v139 = select i1 %v138, i64 %v8, i64 0
+  %v140 = add i64 %v139, %v116
+  %v141 = mul i64 %v140, %v9
+  %v142 = getelementptr double, ptr %v6, i64 %v141
+  %v143 = select i1 %v138, i64 %v19, i64 0
+  %v144 = add i64 %v143, %v116
+  %v145 = mul i64 %v144, %v20
+  %v146 = getelementptr double, ptr %v17, i64 %v145
+  %v147 = icmp slt i64 %v116, 0
+  %v148 = select i1 %v147, i64 %v8, i64 0
+  %v149 = add i64 %v148, %v116
+  %v150 = mul i64 %v149, %v9
+  %v151 = getelementptr double, ptr %v6, i64 %v150
+  %v152 = select i1 %v147, i64 %v19, i64 0
+  %v153 = add i64 %v152, %v116
+  %v154 = mul i64 %v153, %v20
+  %v155 = getelementptr double, ptr %v17, i64 %v154
+  %v156 = icmp eq i64 %v116, 0
+  %v157 = icmp sgt i64 %v116, 1
+  %v158 = uitofp i64 %v116 to double
+  %v159 = icmp slt i64 %v116, 0
+  %v160 = select i1 %v159, i64 %v8, i64 0
+  %v161 = add i64 %v160, %v116
+  %v162 = mul i64 %v161, %v9
+  %v163 = getelementptr double, ptr %v6, i64 %v162
+  %v164 = select i1 %v159, i64 %v19, i64 0
+  %v165 = add i64 %v164, %v116
+  %v166 = mul i64 %v165, %v20
+  %v167 = getelementptr double, ptr %v17, i64 %v166
+  %v168 = icmp slt i64 %v116, 0
+  %v169 = select i1 %v168, i64 %v8, i64 0
+  %v170 = add i64 %v169, %v116
+  %v171 = mul i64 %v170, %v9
+  %v172 = getelementptr double, ptr %v6, i64 %v171
+  %v173 = select i1 %v168, i64 %v19, i64 0
+  %v174 = add i64 %v173, %v116
+  %v175 = mul i64 %v174, %v20
+  %v176 = getelementptr double, ptr %v17, i64 %v175
+  %v177 = icmp eq i64 %v116, 0
+  br label %v178
+
+v178:
+  %v179 = phi i64 [ %v89, %v137 ], [ %v180, %v181 ]
+  %v182 = phi i64 [ %v88, %v137 ], [ %v183, %v181 ]
+  %v184 = phi i64 [ %v86, %v137 ], [ %v185, %v181 ]
+  %v186 = icmp slt i64 %v179, 0
+  %v187 = select i1 %v186, i64 %v29, i64 0
+  %v188 = add i64 %v187, %v179
+  %v189 = mul i64 %v188, %v30
+  %v190 = getelementptr i64, ptr %v28, i64 %v189
+  %v191 = load i64, ptr %v190, align 8
+  br i1 %v117, label %v192, label %v193
+
+v192:
+  %v194 = icmp slt i64 %v191, 0
+  %v195 = select i1 %v194, i64 %v56, i64 0
+  %v196 = getelementptr i64, ptr %v55, i64 %v191
+  %v197 = getelementptr i64, ptr %v196, i64 %v195
+  %v198 = load i64, ptr %v197, align 8
+  %v199 = icmp eq i64 %v198, 1
+  br i1 %v199, label %v181, label %v193
+
+v193:
+  %v200 = getelementptr i8, ptr %v190, i64 8
   %v201 = load i64, ptr %v200, align 8
-  %v202 = getelementptr i8, ptr %v188, i64 24
+  %v202 = getelementptr i8, ptr %v190, i64 16
   %v203 = load i64, ptr %v202, align 8
-  %v204 = getelementptr i8, ptr %v188, i64 32
+  %v204 = getelementptr i8, ptr %v190, i64 24
   %v205 = load i64, ptr %v204, align 8
-  %v206 = getelementptr i8, ptr %v188, i64 64
+  %v206 = getelementptr i8, ptr %v190, i64 32
   %v207 = load i64, ptr %v206, align 8
-  %v208 = getelementptr i8, ptr %v188, i64 40
+  %v208 = getelementptr i8, ptr %v190, i64 64
   %v209 = load i64, ptr %v208, align 8
-  %v210 = getelementptr i8, ptr %v188, i64 48
+  %v210 = getelementptr i8, ptr %v190, i64 40
   %v211 = load i64, ptr %v210, align 8
-  %v212 = sub nsw i64 %v114, %v211
-  %v213 = icmp sgt i64 %v203, -1
-  br i1 %v213, label %v214, label %v215
+  %v212 = getelementptr i8, ptr %v190, i64 48
+  %v213 = load i64, ptr %v212, align 8
+  %v214 = sub nsw i64 %v116, %v213
+  %v215 = icmp sgt i64 %v205, -1
+  br i1 %v215, label %v216, label %v217
 
-v214:
-  %v216 = getelementptr i64, ptr %v55, i64 %v203
-  %v217 = load i64, ptr %v216, align 8
-  %v218 = icmp eq i64 %v217, 1
-  %v219 = tail call i64 @llvm.smin.i64(i64 %v212, i64 0)
-  %v220 = select i1 %v218, i64 %v219, i64 %v212
-  %v221 = icmp slt i64 %v205, 0
-  %v222 = select i1 %v221, i64 %v56, i64 0
-  %v223 = getelementptr i64, ptr %v55, i64 %v205
-  %v224 = getelementptr i64, ptr %v223, i64 %v222
-  %v225 = load i64, ptr %v224, align 8
-  %v226 = icmp eq i64 %v225, 1
-  br i1 %v226, label %v227, label %v215
+v216:
+  %v218 = getelementptr i64, ptr %v55, i64 %v205
+  %v219 = load i64, ptr %v218, align 8
+  %v220 = icmp eq i64 %v219, 1
+  %v221 = tail call i64 @llvm.smin.i64(i64 %v214, i64 0)
+  %v222 = select i1 %v220, i64 %v221, i64 %v214
+  %v223 = icmp slt i64 %v207, 0
+  %v224 = select i1 %v223, i64 %v56, i64 0
+  %v225 = getelementptr i64, ptr %v55, i64 %v207
+  %v226 = getelementptr i64, ptr %v225, i64 %v224
+  %v227 = load i64, ptr %v226, align 8
+  %v228 = icmp eq i64 %v227, 1
+  br i1 %v228, label %v229, label %v217
 
-v227:
-  %v228 = tail call i64 @llvm.smax.i64(i64 %v114, i64 %v209)
-  br label %v215
+v229:
+  %v230 = tail call i64 @llvm.smax.i64(i64 %v116, i64 %v211)
+  br label %v217
 
-v215:
-  %v229 = phi i64 [ %v220, %v227 ], [ %v220, %v214 ], [ %v212, %v191 ]
-  %v230 = phi i64 [ %v228, %v227 ], [ %v209, %v214 ], [ %v209, %v191 ]
-  br i1 %v90, label %v231, label %v179
+v217:
+  %v231 = phi i64 [ %v222, %v229 ], [ %v222, %v216 ], [ %v214, %v193 ]
+  %v232 = phi i64 [ %v230, %v229 ], [ %v211, %v216 ], [ %v211, %v193 ]
+  br i1 %v92, label %v233, label %v181
 
-v231:
-  %v232 = mul i64 %v81, %v201
-  %v233 = mul i64 %v80, %v201
-  %v234 = mul i64 %v79, %v199
-  %v235 = mul i64 %v78, %v199
-  %v236 = icmp sgt i64 %v199, -1
-  %v237 = select i1 %v184, i64 %v38, i64 0
-  %v238 = add i64 %v237, %v177
-  %v239 = mul i64 %v238, %v39
-  %v240 = getelementptr double, ptr %v37, i64 %v239
-  %v241 = getelementptr double, ptr %v140, i64 %v235
-  %v242 = getelementptr double, ptr %v144, i64 %v234
-  %v243 = icmp sgt i64 %v201, -1
-  %v244 = select i1 %v184, i64 %v38, i64 0
-  %v245 = add i64 %v244, %v177
-  %v246 = mul i64 %v245, %v39
-  %v247 = getelementptr double, ptr %v37, i64 %v246
-  %v248 = getelementptr i8, ptr %v247, i64 8
-  %v249 = getelementptr double, ptr %v149, i64 %v233
-  %v250 = getelementptr double, ptr %v153, i64 %v232
-  %v251 = icmp eq i64 %v207, 1
-  %v252 = and i1 %v251, %v154
-  %v253 = and i1 %v115, %v251
-  %v254 = mul i64 %v203, %v96
-  %v255 = getelementptr double, ptr %v6, i64 %v254
-  %v256 = mul i64 %v203, %v97
-  %v257 = getelementptr double, ptr %v17, i64 %v256
-  %v258 = icmp slt i64 %v205, 0
-  %v259 = select i1 %v258, i64 %v7, i64 0
-  %v260 = add i64 %v259, %v205
-  %v261 = mul i64 %v260, %v96
-  %v262 = getelementptr double, ptr %v6, i64 %v261
-  %v263 = select i1 %v258, i64 %v18, i64 0
-  %v264 = add i64 %v263, %v205
-  %v265 = mul i64 %v264, %v97
-  %v266 = getelementptr double, ptr %v17, i64 %v265
-  %v267 = sitofp i64 %v207 to double
-  %v268 = fadd double %v267, 1.000000e+00
-  %v269 = select i1 %v184, i64 %v38, i64 0
-  %v270 = add i64 %v269, %v177
-  %v271 = mul i64 %v270, %v39
-  %v272 = getelementptr double, ptr %v37, i64 %v271
-  %v273 = getelementptr i8, ptr %v272, i64 16
-  %v274 = and i1 %v251, %v155
-  %v275 = getelementptr i8, ptr %v188, i64 56
-  %v276 = select i1 %v184, i64 %v38, i64 0
-  %v277 = add i64 %v276, %v177
-  %v278 = mul i64 %v277, %v39
-  %v279 = getelementptr double, ptr %v37, i64 %v278
-  %v280 = getelementptr i8, ptr %v279, i64 24
-  %v281 = icmp slt i64 %v189, 0
-  %v282 = select i1 %v281, i64 %v7, i64 0
-  %v283 = add i64 %v282, %v189
-  %v284 = mul i64 %v283, %v98
-  %v285 = getelementptr double, ptr %v161, i64 %v284
-  %v286 = select i1 %v281, i64 %v18, i64 0
-  %v287 = add i64 %v286, %v189
-  %v288 = mul i64 %v287, %v99
-  %v289 = getelementptr double, ptr %v165, i64 %v288
-  %v290 = icmp slt i64 %v189, 0
+v233:
+  %v234 = mul i64 %v83, %v205
+  %v235 = mul i64 %v82, %v205
+  %v236 = mul i64 %v81, %v203
+  %v237 = mul i64 %v80, %v203
+  %v238 = mul i64 %v79, %v201
+  %v239 = mul i64 %v78, %v201
+  %v240 = icmp sgt i64 %v201, -1
+  %v241 = select i1 %v186, i64 %v38, i64 0
+  %v242 = add i64 %v241, %v179
+  %v243 = mul i64 %v242, %v39
+  %v244 = getelementptr double, ptr %v37, i64 %v243
+  %v245 = getelementptr double, ptr %v142, i64 %v239
+  %v246 = getelementptr double, ptr %v146, i64 %v238
+  %v247 = icmp sgt i64 %v203, -1
+  %v248 = select i1 %v186, i64 %v38, i64 0
+  %v249 = add i64 %v248, %v179
+  %v250 = mul i64 %v249, %v39
+  %v251 = getelementptr double, ptr %v37, i64 %v250
+  %v252 = getelementptr i8, ptr %v251, i64 8
+  %v253 = getelementptr double, ptr %v151, i64 %v237
+  %v254 = getelementptr double, ptr %v155, i64 %v236
+  %v255 = icmp eq i64 %v209, 1
+  %v256 = and i1 %v255, %v156
+  %v257 = and i1 %v117, %v255
+  %v258 = mul i64 %v205, %v98
+  %v259 = getelementptr double, ptr %v6, i64 %v258
+  %v260 = mul i64 %v205, %v99
+  %v261 = getelementptr double, ptr %v17, i64 %v260
+  %v262 = icmp slt i64 %v207, 0
+  %v263 = select i1 %v262, i64 %v7, i64 0
+  %v264 = add i64 %v263, %v207
+  %v265 = mul i64 %v264, %v98
+  %v266 = getelementptr double, ptr %v6, i64 %v265
+  %v267 = select i1 %v262, i64 %v18, i64 0
+  %v268 = add i64 %v267, %v207
+  %v269 = mul i64 %v268, %v99
+  %v270 = getelementptr double, ptr %v17, i64 %v269
+  %v271 = sitofp i64 %v209 to double
+  %v272 = fadd double %v271, 1.000000e+00
+  %v273 = select i1 %v186, i64 %v38, i64 0
+  %v274 = add i64 %v273, %v179
+  %v275 = mul i64 %v274, %v39
+  %v276 = getelementptr double, ptr %v37, i64 %v275
+  %v277 = getelementptr i8, ptr %v276, i64 16
+  %v278 = icmp eq i64 %v205, %v207
+  %v279 = and i1 %v278, %v156
+  %v280 = icmp eq i64 %v209, 0
+  %v281 = getelementptr double, ptr %v6, i64 %v235
+  %v282 = getelementptr double, ptr %v17, i64 %v234
+  %v283 = and i1 %v255, %v157
+  %v284 = getelementptr i8, ptr %v190, i64 56
+  %v285 = select i1 %v186, i64 %v38, i64 0
+  %v286 = add i64 %v285, %v179
+  %v287 = mul i64 %v286, %v39
+  %v288 = getelementptr double, ptr %v37, i64 %v287
+  %v289 = getelementptr i8, ptr %v288, i64 24
+  %v290 = icmp slt i64 %v191, 0
   %v291 = select i1 %v290, i64 %v7, i64 0
-  %v292 = add i64 %v291, %v189
-  %v293 = mul i64 %v102, %v292
-  %v294 = getelementptr double, ptr %v170, i64 %v293
+  %v292 = add i64 %v291, %v191
+  %v293 = mul i64 %v292, %v100
+  %v294 = getelementptr double, ptr %v163, i64 %v293
   %v295 = select i1 %v290, i64 %v18, i64 0
-  %v296 = add i64 %v295, %v189
-  %v297 = mul i64 %v103, %v296
-  %v298 = getelementptr double, ptr %v174, i64 %v297
-  %v299 = and i1 %v251, %v175
-  br label %v300
+  %v296 = add i64 %v295, %v191
+  %v297 = mul i64 %v296, %v101
+  %v298 = getelementptr double, ptr %v167, i64 %v297
+  %v299 = icmp slt i64 %v191, 0
+  %v300 = select i1 %v299, i64 %v7, i64 0
+  %v301 = add i64 %v300, %v191
+  %v302 = mul i64 %v104, %v301
+  %v303 = getelementptr double, ptr %v172, i64 %v302
+  %v304 = select i1 %v299, i64 %v18, i64 0
+  %v305 = add i64 %v304, %v191
+  %v306 = mul i64 %v105, %v305
+  %v307 = getelementptr double, ptr %v176, i64 %v306
+  %v308 = and i1 %v255, %v177
+  br label %v309
 
-v300:
-  %v301 = phi i64 [ %v95, %v231 ], [ %v302, %v303 ]
-  %v304 = phi i64 [ %v94, %v231 ], [ %v305, %v303 ]
-  %v306 = phi i64 [ %v92, %v231 ], [ %v307, %v303 ]
-  %v308 = phi i64 [ %v230, %v231 ], [ %v309, %v303 ]
-  %v310 = phi i64 [ %v229, %v231 ], [ %v311, %v303 ]
-  br i1 %v236, label %v312, label %v313
+v309:
+  %v310 = phi i64 [ %v97, %v233 ], [ %v311, %v312 ]
+  %v313 = phi i64 [ %v96, %v233 ], [ %v314, %v312 ]
+  %v315 = phi i64 [ %v94, %v233 ], [ %v316, %v312 ]
+  %v317 = phi i64 [ %v232, %v233 ], [ %v318, %v312 ]
+  %v319 = phi i64 [ %v231, %v233 ], [ %v320, %v312 ]
+  br i1 %v240, label %v321, label %v322
+
+v321:
+  %v323 = load double, ptr %v244, align 8
+  %v324 = icmp slt i64 %v310, 0
+  %v325 = select i1 %v324, i64 %v9, i64 0
+  %v326 = getelementptr double, ptr %v245, i64 %v310
+  %v327 = getelementptr double, ptr %v326, i64 %v325
+  %v328 = load double, ptr %v327, align 8
+  %v329 = fmul double %v323, %v328
+  %v330 = select i1 %v324, i64 %v20, i64 0
+  %v331 = getelementptr double, ptr %v246, i64 %v310
+  %v332 = getelementptr double, ptr %v331, i64 %v330
+  %v333 = load double, ptr %v332, align 8
+  br label %v322
+
+v322:
+  %v334 = phi double [ %v329, %v321 ], [ 0.000000e+00, %v309 ]
+  %v335 = phi double [ %v333, %v321 ], [ 0.000000e+00, %v309 ]
+  br i1 %v247, label %v336, label %v337
+
+v336:
+  %v338 = load double, ptr %v252, align 8
+  %v339 = icmp slt i64 %v310, 0
+  %v340 = select i1 %v339, i64 %v9, i64 0
+  %v341 = getelementptr double, ptr %v253, i64 %v310
+  %v342 = getelementptr double, ptr %v341, i64 %v340
+  %v343 = load double, ptr %v342, align 8
+  %v344 = fmul double %v338, %v343
+  %v345 = fadd double %v334, %v344
+  %v346 = tail call double @llvm.fabs.f64(double %v338)
+  %v347 = select i1 %v339, i64 %v20, i64 0
+  %v348 = getelementptr double, ptr %v254, i64 %v310
+  %v349 = getelementptr double, ptr %v348, i64 %v347
+  %v350 = load double, ptr %v349, align 8
+  %v351 = fmul double %v346, %v350
+  %v352 = fadd double %v335, %v351
+  %v353 = tail call double @llvm.fabs.f64(double %v344)
+  %v354 = tail call double @llvm.fabs.f64(double %v345)
+  %v355 = fadd double %v353, %v354
+  br label %v337
+
+v337:
+  %v356 = phi double [ %v345, %v336 ], [ %v334, %v322 ]
+  %v357 = phi double [ %v352, %v336 ], [ %v335, %v322 ]
+  %v358 = phi double [ %v355, %v336 ], [ 0.000000e+00, %v322 ]
+  %v320 = select i1 %v256, i64 0, i64 %v319
+  %v318 = select i1 %v256, i64 0, i64 %v317
+  br i1 %v215, label %v359, label %v360
+
+v359:
+  %v361 = add nsw i64 %v320, 1
+  %v362 = sub i64 %v361, %v318
+  %v363 = icmp slt i64 %v362, 1
+  br i1 %v363, label %v364, label %v365
+
+v365:
+  %v366 = icmp sgt i64 %v310, 0
+  %v367 = icmp slt i64 %v310, 0
+  %v368 = select i1 %v367, i64 %v9, i64 0
+  %v369 = select i1 %v367, i64 %v20, i64 0
+  br label %v370
+
+v371:
+  %v372 = load double, ptr %v373, align 8
+  %v374 = fmul double %v375, %v372
+  %v376 = load double, ptr %v377, align 8
+  %v378 = fmul double %v375, %v376
+  %v379 = getelementptr double, ptr %v380, i64 %v310
+  %v381 = getelementptr double, ptr %v379, i64 %v368
+  %v382 = load double, ptr %v381, align 8
+  %v383 = getelementptr double, ptr %v384, i64 %v310
+  %v385 = getelementptr double, ptr %v383, i64 %v369
+  %v386 = load double, ptr %v385, align 8
+  %v387 = fmul double %v374, %v382
+  %v388 = fadd double %v389, %v387
+  %v390 = tail call double @llvm.fabs.f64(double %v374)
+  %v391 = fmul double %v390, %v386
+  %v392 = tail call double @llvm.fabs.f64(double %v382)
+  %v393 = fadd double %v392, %v386
+  %v394 = fmul double %v378, %v393
+  %v395 = fadd double %v391, %v394
+  %v396 = fadd double %v397, %v395
+  %v398 = tail call double @llvm.fabs.f64(double %v387)
+  %v399 = fmul double %v272, %v398
+  %v400 = fadd double %v401, %v399
+  %v402 = tail call double @llvm.fabs.f64(double %v388)
+  %v403 = fadd double %v402, %v400
+  br label %v404
+
+v364:
+  %v405 = phi double [ %v357, %v359 ], [ %v406, %v407 ]
+  %v408 = phi double [ %v358, %v359 ], [ %v409, %v407 ]
+  %v410 = phi double [ 0.000000e+00, %v359 ], [ %v411, %v407 ]
+  %v412 = load double, ptr %v277, align 8
+  %v413 = fmul double %v410, %v412
+  %v414 = fadd double %v356, %v413
+  %v415 = tail call double @llvm.fabs.f64(double %v414)
+  %v416 = fadd double %v408, %v415
+  %v417 = icmp eq i64 %v310, 0
+  %v418 = select i1 %v279, i1 %v417, i1 false
+  %v419 = icmp eq i64 %v320, 0
+  %v420 = select i1 %v418, i1 %v419, i1 false
+  %v421 = select i1 %v420, i1 %v280, i1 false
+  br i1 %v421, label %v422, label %v360
+
+v422:
+  %v423 = load double, ptr %v281, align 8
+  %v424 = tail call double @llvm.fabs.f64(double %v423)
+  %v425 = load double, ptr %v282, align 8
+  %v426 = fcmp olt double %v424, %v425
+  br i1 %v426, label %v427, label %v428
+
+v427:
+  %v429 = fadd double %v424, %v425
+  %v430 = fmul double %v429, 5.000000e-01
+  %v431 = fmul double %v429, %v430
+  %v432 = fmul double %v431, 4.000000e+00
+  br label %v360
+
+v428:
+  %v433 = fmul double %v423, %v423
+  %v434 = fmul double %v425, %v425
+  %v435 = fadd double %v433, %v434
+  %v436 = fmul double %v424, 2.000000e+00
+  %v437 = fmul double %v425, %v436
+  %v438 = fmul double %v435, 3.000000e+00
+  br label %v360
+
+v360:
+  %v439 = phi double [ %v431, %v427 ], [ %v435, %v428 ], [ %v414, %v364 ], [ %v356, %v337 ]
+  %v440 = phi double [ %v431, %v427 ], [ %v437, %v428 ], [ %v405, %v364 ], [ %v357, %v337 ]
+  %v441 = phi double [ %v432, %v427 ], [ %v438, %v428 ], [ %v416, %v364 ], [ %v358, %v337 ]
+  br i1 %v283, label %v442, label %v443
+
+v442:
+  %v444 = fdiv double %v439, %v158
+  %v445 = fdiv double %v440, %v158
+  %v446 = fdiv double %v441, %v158
+  %v447 = tail call double @llvm.fabs.f64(double %v444)
+  %v448 = fadd double %v447, %v446
+  br label %v443
+
+v443:
+  %v449 = phi double [ %v444, %v442 ], [ %v439, %v360 ]
+  %v450 = phi double [ %v445, %v442 ], [ %v440, %v360 ]
+  %v451 = phi double [ %v448, %v442 ], [ %v441, %v360 ]
+  %v452 = load i64, ptr %v284, align 8
+  %v453 = icmp sgt i64 %v452, -1
+  br i1 %v453, label %v454, label %v312
+
+v454:
+  %v455 = load double, ptr %v289, align 8
+  %v456 = icmp slt i64 %v310, 1
+  %v457 = icmp eq i64 %v452, %v191
+  %v458 = select i1 %v156, i1 %v457, i1 false
+  %v459 = select i1 %v456, i1 true, i1 %v458
+  br i1 %v459, label %v460, label %v461
+
+v461:
+  %v462 = load double, ptr %v294, align 8
+  %v463 = load double, ptr %v298, align 8
+  %v464 = mul i64 %v452, %v100
+  %v465 = getelementptr double, ptr %v6, i64 %v464
+  %v466 = getelementptr double, ptr %v465, i64 %v310
+  %v467 = load double, ptr %v466, align 8
+  %v468 = fmul double %v455, %v467
+  %v469 = mul i64 %v452, %v101
+  %v470 = getelementptr double, ptr %v17, i64 %v469
+  %v471 = getelementptr double, ptr %v470, i64 %v310
+  %v472 = load double, ptr %v471, align 8
+  %v473 = fmul double %v455, %v472
+  %v474 = fmul double %v462, %v468
+  %v475 = fsub double %v449, %v474
+  %v476 = tail call double @llvm.fabs.f64(double %v462)
+  %v477 = fmul double %v476, %v473
+  %v478 = tail call double @llvm.fabs.f64(double %v468)
+  %v479 = fadd double %v478, %v473
+  %v480 = fmul double %v463, %v479
+  %v481 = fadd double %v477, %v480
+  %v482 = fadd double %v450, %v481
+  %v483 = tail call double @llvm.fabs.f64(double %v474)
+  %v484 = fadd double %v451, %v483
+  %v485 = tail call double @llvm.fabs.f64(double %v475)
+  %v486 = fadd double %v484, %v485
+  br label %v460
+
+v460:
+  %v487 = phi double [ %v449, %v454 ], [ %v475, %v461 ]
+  %v488 = phi double [ %v450, %v454 ], [ %v482, %v461 ]
+  %v489 = phi double [ %v451, %v454 ], [ %v486, %v461 ]
+  %v490 = mul i64 %v102, %v452
+  %v491 = getelementptr double, ptr %v6, i64 %v490
+  %v492 = load double, ptr %v491, align 8
+  %v493 = fmul double %v455, %v492
+  %v494 = mul i64 %v103, %v452
+  %v495 = getelementptr double, ptr %v17, i64 %v494
+  %v496 = load double, ptr %v495, align 8
+  %v497 = fmul double %v455, %v496
+  %v498 = fdiv double %v487, %v493
+  %v499 = tail call double @llvm.fabs.f64(double %v493)
+  %v500 = fsub double %v499, %v497
+  %v501 = fcmp ogt double %v500, 0.000000e+00
+  br i1 %v501, label %v502, label %v503
+
+v502:
+  %v504 = fmul double %v489, 0x3CA0000000000000
+  %v505 = fadd double %v488, %v504
+  %v506 = fadd double %v505, 0x20B0000000000000
+  %v507 = tail call double @llvm.fabs.f64(double %v498)
+  %v508 = fmul double %v497, %v507
+  %v509 = fadd double %v506, %v508
+  %v510 = fdiv double %v509, %v500
+  br label %v503
+
+v503:
+  %v511 = phi double [ %v510, %v502 ], [ 0x7FF0000000000000, %v460 ]
+  %v512 = tail call double @llvm.fabs.f64(double %v498)
+  br label %v312
 
 v312:
-  %v314 = load double, ptr %v240, align 8
-  %v315 = icmp slt i64 %v301, 0
-  %v316 = select i1 %v315, i64 %v9, i64 0
-  %v317 = getelementptr double, ptr %v241, i64 %v301
-  %v318 = getelementptr double, ptr %v317, i64 %v316
-  %v319 = load double, ptr %v318, align 8
-  %v320 = fmul double %v314, %v319
-  %v321 = select i1 %v315, i64 %v20, i64 0
-  %v322 = getelementptr double, ptr %v242, i64 %v301
-  %v323 = getelementptr double, ptr %v322, i64 %v321
-  %v324 = load double, ptr %v323, align 8
-  br label %v313
-
-v313:
-  %v325 = phi double [ %v320, %v312 ], [ 0.000000e+00, %v300 ]
-  %v326 = phi double [ %v324, %v312 ], [ 0.000000e+00, %v300 ]
-  br i1 %v243, label %v327, label %v328
-
-v327:
-  %v329 = load double, ptr %v248, align 8
-  %v330 = icmp slt i64 %v301, 0
-  %v331 = select i1 %v330, i64 %v9, i64 0
-  %v332 = getelementptr double, ptr %v249, i64 %v301
-  %v333 = getelementptr double, ptr %v332, i64 %v331
-  %v334 = load double, ptr %v333, align 8
-  %v335 = fmul double %v329, %v334
-  %v336 = fadd double %v325, %v335
-  %v337 = tail call double @llvm.fabs.f64(double %v329)
-  %v338 = select i1 %v330, i64 %v20, i64 0
-  %v339 = getelementptr double, ptr %v250, i64 %v301
-  %v340 = getelementptr double, ptr %v339, i64 %v338
-  %v341 = load double, ptr %v340, align 8
-  %v342 = fmul double %v337, %v341
-  %v343 = fadd double %v326, %v342
-  %v344 = tail call double @llvm.fabs.f64(double %v335)
-  %v345 = tail call double @llvm.fabs.f64(double %v336)
-  %v346 = fadd double %v344, %v345
-  br label %v328
-
-v328:
-  %v347 = phi double [ %v336, %v327 ], [ %v325, %v313 ]
-  %v348 = phi double [ %v343, %v327 ], [ %v326, %v313 ]
-  %v349 = phi double [ %v346, %v327 ], [ 0.000000e+00, %v313 ]
-  %v311 = select i1 %v252, i64 0, i64 %v310
-  %v309 = select i1 %v252, i64 0, i64 %v308
-  br i1 %v213, label %v350, label %v351
-
-v350:
-  %v352 = add nsw i64 %v311, 1
-  %v353 = sub i64 %v352, %v309
-  %v354 = icmp slt i64 %v353, 1
-  br i1 %v354, label %v355, label %v356
-
-v356:
-  %v357 = icmp sgt i64 %v301, 0
-  %v358 = icmp slt i64 %v301, 0
-  %v359 = select i1 %v358, i64 %v9, i64 0
-  %v360 = select i1 %v358, i64 %v20, i64 0
-  br label %v361
-
-v362:
-  %v363 = load double, ptr %v364, align 8
-  %v365 = fmul double %v366, %v363
-  %v367 = load double, ptr %v368, align 8
-  %v369 = fmul double %v366, %v367
-  %v370 = getelementptr double, ptr %v371, i64 %v301
-  %v372 = getelementptr double, ptr %v370, i64 %v359
-  %v373 = load double, ptr %v372, align 8
-  %v374 = getelementptr double, ptr %v375, i64 %v301
-  %v376 = getelementptr double, ptr %v374, i64 %v360
-  %v377 = load double, ptr %v376, align 8
-  %v378 = fmul double %v365, %v373
-  %v379 = fadd double %v380, %v378
-  %v381 = tail call double @llvm.fabs.f64(double %v365)
-  %v382 = fmul double %v381, %v377
-  %v383 = tail call double @llvm.fabs.f64(double %v373)
-  %v384 = fadd double %v383, %v377
-  %v385 = fmul double %v369, %v384
-  %v386 = fadd double %v382, %v385
-  %v387 = fadd double %v388, %v386
-  %v389 = tail call double @llvm.fabs.f64(double %v378)
-  %v390 = fmul double %v268, %v389
-  %v391 = fadd double %v392, %v390
-  %v393 = tail call double @llvm.fabs.f64(double %v379)
-  %v394 = fadd double %v393, %v391
-  br label %v395
-
-v355:
-  %v396 = phi double [ %v348, %v350 ], [ %v397, %v398 ]
-  %v399 = phi double [ %v349, %v350 ], [ %v400, %v398 ]
-  %v401 = phi double [ 0.000000e+00, %v350 ], [ %v402, %v398 ]
-  %v403 = load double, ptr %v273, align 8
-  %v404 = fmul double %v401, %v403
-  %v405 = fadd double %v347, %v404
-  %v406 = tail call double @llvm.fabs.f64(double %v405)
-  %v407 = fadd double %v399, %v406
-  br label %v351
-
-v351:
-  %v408 = phi double [ %v405, %v355 ], [ %v347, %v328 ]
-  %v409 = phi double [ %v396, %v355 ], [ %v348, %v328 ]
-  %v410 = phi double [ %v407, %v355 ], [ %v349, %v328 ]
-  br i1 %v274, label %v411, label %v412
-
-v411:
-  %v413 = fdiv double %v408, %v156
-  %v414 = fdiv double %v409, %v156
-  %v415 = fdiv double %v410, %v156
-  %v416 = tail call double @llvm.fabs.f64(double %v413)
-  %v417 = fadd double %v416, %v415
-  br label %v412
-
-v412:
-  %v418 = phi double [ %v413, %v411 ], [ %v408, %v351 ]
-  %v419 = phi double [ %v414, %v411 ], [ %v409, %v351 ]
-  %v420 = phi double [ %v417, %v411 ], [ %v410, %v351 ]
-  %v421 = load i64, ptr %v275, align 8
-  %v422 = icmp sgt i64 %v421, -1
-  br i1 %v422, label %v423, label %v303
-
-v423:
-  %v424 = load double, ptr %v280, align 8
-  %v425 = icmp slt i64 %v301, 1
-  %v426 = icmp eq i64 %v421, %v189
-  %v427 = select i1 %v154, i1 %v426, i1 false
-  %v428 = select i1 %v425, i1 true, i1 %v427
-  br i1 %v428, label %v429, label %v430
-
-v430:
-  %v431 = load double, ptr %v285, align 8
-  %v432 = load double, ptr %v289, align 8
-  %v433 = mul i64 %v421, %v98
-  %v434 = getelementptr double, ptr %v6, i64 %v433
-  %v435 = getelementptr double, ptr %v434, i64 %v301
-  %v436 = load double, ptr %v435, align 8
-  %v437 = fmul double %v424, %v436
-  %v438 = mul i64 %v421, %v99
-  %v439 = getelementptr double, ptr %v17, i64 %v438
-  %v440 = getelementptr double, ptr %v439, i64 %v301
-  %v441 = load double, ptr %v440, align 8
-  %v442 = fmul double %v424, %v441
-  %v443 = fmul double %v431, %v437
-  %v444 = fsub double %v418, %v443
-  %v445 = tail call double @llvm.fabs.f64(double %v431)
-  %v446 = fmul double %v445, %v442
-  %v447 = tail call double @llvm.fabs.f64(double %v437)
-  %v448 = fadd double %v447, %v442
-  %v449 = fmul double %v432, %v448
-  %v450 = fadd double %v446, %v449
-  %v451 = fadd double %v419, %v450
-  %v452 = tail call double @llvm.fabs.f64(double %v443)
-  %v453 = fadd double %v420, %v452
-  %v454 = tail call double @llvm.fabs.f64(double %v444)
-  %v455 = fadd double %v453, %v454
-  br label %v429
-
-v429:
-  %v456 = phi double [ %v418, %v423 ], [ %v444, %v430 ]
-  %v457 = phi double [ %v419, %v423 ], [ %v451, %v430 ]
-  %v458 = phi double [ %v420, %v423 ], [ %v455, %v430 ]
-  %v459 = mul i64 %v100, %v421
-  %v460 = getelementptr double, ptr %v6, i64 %v459
-  %v461 = load double, ptr %v460, align 8
-  %v462 = fmul double %v424, %v461
-  %v463 = mul i64 %v101, %v421
-  %v464 = getelementptr double, ptr %v17, i64 %v463
-  %v465 = load double, ptr %v464, align 8
-  %v466 = fmul double %v424, %v465
-  %v467 = fdiv double %v456, %v462
-  %v468 = tail call double @llvm.fabs.f64(double %v462)
-  %v469 = fsub double %v468, %v466
-  %v470 = fcmp ogt double %v469, 0.000000e+00
-  br i1 %v470, label %v471, label %v472
-
-v471:
-  %v473 = fmul double %v458, 0x3CA0000000000000
-  %v474 = fadd double %v457, %v473
-  %v475 = fadd double %v474, 0x20B0000000000000
-  %v476 = tail call double @llvm.fabs.f64(double %v467)
-  %v477 = fmul double %v466, %v476
-  %v478 = fadd double %v475, %v477
-  %v479 = fdiv double %v478, %v469
-  br label %v472
-
-v472:
-  %v480 = phi double [ %v479, %v471 ], [ 0x7FF0000000000000, %v429 ]
-  %v481 = tail call double @llvm.fabs.f64(double %v467)
-  br label %v303
-
-v303:
-  %v482 = phi double [ %v467, %v472 ], [ %v418, %v412 ]
-  %v483 = phi double [ %v480, %v472 ], [ %v419, %v412 ]
-  %v484 = phi double [ %v481, %v472 ], [ %v420, %v412 ]
-  %v485 = icmp slt i64 %v301, 0
-  %v486 = select i1 %v485, i64 %v9, i64 0
-  %v487 = getelementptr double, ptr %v294, i64 %v301
-  %v488 = getelementptr double, ptr %v487, i64 %v486
-  store double %v482, ptr %v488, align 8
-  %v489 = fmul double %v484, 0x3CA0000000000000
-  %v490 = fadd double %v483, %v489
-  %v491 = fmul double %v490, 0x3FF0000000000200
-  %v492 = fadd double %v491, 0x20B0000000000000
-  %v493 = select i1 %v485, i64 %v20, i64 0
-  %v494 = getelementptr double, ptr %v298, i64 %v301
-  %v495 = getelementptr double, ptr %v494, i64 %v493
-  store double %v492, ptr %v495, align 8
-  %v496 = icmp sgt i64 %v304, 0
-  %v497 = zext i1 %v496 to i64
-  %v307 = add i64 %v306, %v497
-  %v498 = sext i1 %v496 to i64
-  %v305 = add nsw i64 %v304, %v498
-  %v302 = select i1 %v496, i64 %v306, i64 0
-  br i1 %v496, label %v300, label %v179
+  %v513 = phi double [ %v498, %v503 ], [ %v449, %v443 ]
+  %v514 = phi double [ %v511, %v503 ], [ %v450, %v443 ]
+  %v515 = phi double [ %v512, %v503 ], [ %v451, %v443 ]
+  %v516 = icmp slt i64 %v310, 0
+  %v517 = select i1 %v516, i64 %v9, i64 0
+  %v518 = getelementptr double, ptr %v303, i64 %v310
+  %v519 = getelementptr double, ptr %v518, i64 %v517
+  store double %v513, ptr %v519, align 8
+  %v520 = fmul double %v515, 0x3CA0000000000000
+  %v521 = fadd double %v514, %v520
+  %v522 = fmul double %v521, 0x3FF0000000000200
+  %v523 = fadd double %v522, 0x20B0000000000000
+  %v524 = select i1 %v516, i64 %v20, i64 0
+  %v525 = getelementptr double, ptr %v307, i64 %v310
+  %v526 = getelementptr double, ptr %v525, i64 %v524
+  store double %v523, ptr %v526, align 8
+  %v527 = icmp sgt i64 %v313, 0
+  %v528 = zext i1 %v527 to i64
+  %v316 = add i64 %v315, %v528
+  %v529 = sext i1 %v527 to i64
+  %v314 = add nsw i64 %v313, %v529
+  %v311 = select i1 %v527, i64 %v315, i64 0
+  br i1 %v527, label %v309, label %v181
 
 v68:
   store i64 0, ptr %v0, align 8
   ret i32 0
 
-v395:
-  %v499 = phi double [ %v388, %v361 ], [ %v387, %v362 ]
-  %v500 = phi double [ %v392, %v361 ], [ %v394, %v362 ]
-  %v501 = phi double [ %v380, %v361 ], [ %v379, %v362 ]
-  br i1 %v357, label %v502, label %v398
+v404:
+  %v530 = phi double [ %v397, %v370 ], [ %v396, %v371 ]
+  %v531 = phi double [ %v401, %v370 ], [ %v403, %v371 ]
+  %v532 = phi double [ %v389, %v370 ], [ %v388, %v371 ]
+  br i1 %v366, label %v533, label %v407
 
-v502:
-  %v503 = getelementptr double, ptr %v364, i64 %v301
-  %v504 = load double, ptr %v503, align 8
-  %v505 = fmul double %v366, %v504
-  %v506 = getelementptr double, ptr %v368, i64 %v301
-  %v507 = load double, ptr %v506, align 8
-  %v508 = fmul double %v366, %v507
-  %v509 = load double, ptr %v371, align 8
-  %v510 = load double, ptr %v375, align 8
-  %v511 = fmul double %v505, %v509
-  %v512 = fadd double %v501, %v511
-  %v513 = tail call double @llvm.fabs.f64(double %v505)
-  %v514 = fmul double %v513, %v510
-  %v515 = tail call double @llvm.fabs.f64(double %v509)
-  %v516 = fadd double %v515, %v510
-  %v517 = fmul double %v508, %v516
-  %v518 = fadd double %v514, %v517
-  %v519 = fadd double %v499, %v518
-  %v520 = tail call double @llvm.fabs.f64(double %v511)
-  %v521 = fmul double %v268, %v520
-  %v522 = fadd double %v500, %v521
-  %v523 = tail call double @llvm.fabs.f64(double %v512)
-  %v524 = fadd double %v523, %v522
-  br label %v398
+v533:
+  %v534 = getelementptr double, ptr %v373, i64 %v310
+  %v535 = load double, ptr %v534, align 8
+  %v536 = fmul double %v375, %v535
+  %v537 = getelementptr double, ptr %v377, i64 %v310
+  %v538 = load double, ptr %v537, align 8
+  %v539 = fmul double %v375, %v538
+  %v540 = load double, ptr %v380, align 8
+  %v541 = load double, ptr %v384, align 8
+  %v542 = fmul double %v536, %v540
+  %v543 = fadd double %v532, %v542
+  %v544 = tail call double @llvm.fabs.f64(double %v536)
+  %v545 = fmul double %v544, %v541
+  %v546 = tail call double @llvm.fabs.f64(double %v540)
+  %v547 = fadd double %v546, %v541
+  %v548 = fmul double %v539, %v547
+  %v549 = fadd double %v545, %v548
+  %v550 = fadd double %v530, %v549
+  %v551 = tail call double @llvm.fabs.f64(double %v542)
+  %v552 = fmul double %v272, %v551
+  %v553 = fadd double %v531, %v552
+  %v554 = tail call double @llvm.fabs.f64(double %v543)
+  %v555 = fadd double %v554, %v553
+  br label %v407
 
-v398:
-  %v397 = phi double [ %v499, %v395 ], [ %v519, %v502 ]
-  %v400 = phi double [ %v500, %v395 ], [ %v524, %v502 ]
-  %v402 = phi double [ %v501, %v395 ], [ %v512, %v502 ]
-  %v525 = add nsw i64 %v526, -1
-  %v527 = add i64 %v528, 1
-  %v529 = icmp sgt i64 %v526, 1
-  br i1 %v529, label %v361, label %v355
+v407:
+  %v406 = phi double [ %v530, %v404 ], [ %v550, %v533 ]
+  %v409 = phi double [ %v531, %v404 ], [ %v555, %v533 ]
+  %v411 = phi double [ %v532, %v404 ], [ %v543, %v533 ]
+  %v556 = add nsw i64 %v557, -1
+  %v558 = add i64 %v559, 1
+  %v560 = icmp sgt i64 %v557, 1
+  br i1 %v560, label %v370, label %v364
 
-v179:
-  %v530 = icmp sgt i64 %v180, 0
-  %v531 = zext i1 %v530 to i64
-  %v183 = add i64 %v182, %v531
-  %v532 = sext i1 %v530 to i64
-  %v181 = add nsw i64 %v180, %v532
-  %v178 = select i1 %v530, i64 %v182, i64 0
-  br i1 %v530, label %v176, label %v105
+v181:
+  %v561 = icmp sgt i64 %v182, 0
+  %v562 = zext i1 %v561 to i64
+  %v185 = add i64 %v184, %v562
+  %v563 = sext i1 %v561 to i64
+  %v183 = add nsw i64 %v182, %v563
+  %v180 = select i1 %v561, i64 %v184, i64 0
+  br i1 %v561, label %v178, label %v107
 
-v130:
-  %v533 = phi i64 [ 0, %v119 ], [ %v133, %v131 ]
-  %v133 = add nsw i64 %v533, 1
-  br i1 %v73, label %v131, label %v534
+v132:
+  %v564 = phi i64 [ 0, %v121 ], [ %v135, %v133 ]
+  %v135 = add nsw i64 %v564, 1
+  br i1 %v73, label %v133, label %v565
 
-v534:
-  %v535 = mul i64 %v533, %v48
-  %v536 = getelementptr i64, ptr %v46, i64 %v535
-  %v537 = getelementptr i8, ptr %v536, i64 8
-  %v538 = load i64, ptr %v537, align 8
-  %v539 = load i64, ptr %v536, align 8
-  %v540 = icmp slt i64 %v538, 0
-  %v541 = select i1 %v540, i64 %v7, i64 0
-  %v542 = add i64 %v541, %v538
-  %v543 = mul i64 %v542, %v74
-  %v544 = getelementptr double, ptr %v122, i64 %v543
-  %v545 = icmp slt i64 %v539, 0
-  %v546 = select i1 %v545, i64 %v7, i64 0
-  %v547 = add i64 %v546, %v539
-  %v548 = mul i64 %v547, %v74
-  %v549 = getelementptr double, ptr %v125, i64 %v548
-  %v550 = select i1 %v540, i64 %v18, i64 0
-  %v551 = add i64 %v550, %v538
-  %v552 = mul i64 %v551, %v75
-  %v553 = getelementptr double, ptr %v127, i64 %v552
-  %v554 = select i1 %v545, i64 %v18, i64 0
-  %v555 = add i64 %v554, %v539
-  %v556 = mul i64 %v555, %v75
-  %v557 = getelementptr double, ptr %v129, i64 %v556
-  br label %v558
+v565:
+  %v566 = mul i64 %v564, %v48
+  %v567 = getelementptr i64, ptr %v46, i64 %v566
+  %v568 = getelementptr i8, ptr %v567, i64 8
+  %v569 = load i64, ptr %v568, align 8
+  %v570 = load i64, ptr %v567, align 8
+  %v571 = icmp slt i64 %v569, 0
+  %v572 = select i1 %v571, i64 %v7, i64 0
+  %v573 = add i64 %v572, %v569
+  %v574 = mul i64 %v573, %v74
+  %v575 = getelementptr double, ptr %v124, i64 %v574
+  %v576 = icmp slt i64 %v570, 0
+  %v577 = select i1 %v576, i64 %v7, i64 0
+  %v578 = add i64 %v577, %v570
+  %v579 = mul i64 %v578, %v74
+  %v580 = getelementptr double, ptr %v127, i64 %v579
+  %v581 = select i1 %v571, i64 %v18, i64 0
+  %v582 = add i64 %v581, %v569
+  %v583 = mul i64 %v582, %v75
+  %v584 = getelementptr double, ptr %v129, i64 %v583
+  %v585 = select i1 %v576, i64 %v18, i64 0
+  %v586 = add i64 %v585, %v570
+  %v587 = mul i64 %v586, %v75
+  %v588 = getelementptr double, ptr %v131, i64 %v587
+  br label %v589
 
-v558:
-  %v559 = phi i64 [ %v72, %v534 ], [ %v560, %v558 ]
-  %v561 = phi i64 [ %v62, %v534 ], [ %v562, %v558 ]
-  %v560 = add nsw i64 %v559, -1
-  %v562 = add i64 %v561, 1
-  %v563 = icmp slt i64 %v561, 0
-  %v564 = select i1 %v563, i64 %v9, i64 0
-  %v565 = add i64 %v564, %v561
-  %v566 = getelementptr double, ptr %v544, i64 %v565
-  %v567 = load double, ptr %v566, align 8
-  %v568 = fdiv double %v567, %v123
-  %v569 = getelementptr double, ptr %v549, i64 %v565
-  store double %v568, ptr %v569, align 8
-  %v570 = select i1 %v563, i64 %v20, i64 0
-  %v571 = add i64 %v570, %v561
-  %v572 = getelementptr double, ptr %v553, i64 %v571
-  %v573 = load double, ptr %v572, align 8
-  %v574 = fdiv double %v573, %v123
-  %v575 = tail call double @llvm.fabs.f64(double %v568)
-  %v576 = fmul double %v575, 0x3CA0000000000000
-  %v577 = fadd double %v574, %v576
-  %v578 = fmul double %v577, 0x3FF0000000000200
-  %v579 = fadd double %v578, 0x20B0000000000000
-  %v580 = getelementptr double, ptr %v557, i64 %v571
-  store double %v579, ptr %v580, align 8
-  %v581 = icmp sgt i64 %v559, 1
-  br i1 %v581, label %v558, label %v131
+v589:
+  %v590 = phi i64 [ %v72, %v565 ], [ %v591, %v589 ]
+  %v592 = phi i64 [ %v62, %v565 ], [ %v593, %v589 ]
+  %v591 = add nsw i64 %v590, -1
+  %v593 = add i64 %v592, 1
+  %v594 = icmp slt i64 %v592, 0
+  %v595 = select i1 %v594, i64 %v9, i64 0
+  %v596 = add i64 %v595, %v592
+  %v597 = getelementptr double, ptr %v575, i64 %v596
+  %v598 = load double, ptr %v597, align 8
+  %v599 = fdiv double %v598, %v125
+  %v600 = getelementptr double, ptr %v580, i64 %v596
+  store double %v599, ptr %v600, align 8
+  %v601 = select i1 %v594, i64 %v20, i64 0
+  %v602 = add i64 %v601, %v592
+  %v603 = getelementptr double, ptr %v584, i64 %v602
+  %v604 = load double, ptr %v603, align 8
+  %v605 = fdiv double %v604, %v125
+  %v606 = tail call double @llvm.fabs.f64(double %v599)
+  %v607 = fmul double %v606, 0x3CA0000000000000
+  %v608 = fadd double %v605, %v607
+  %v609 = fmul double %v608, 0x3FF0000000000200
+  %v610 = fadd double %v609, 0x20B0000000000000
+  %v611 = getelementptr double, ptr %v588, i64 %v602
+  store double %v610, ptr %v611, align 8
+  %v612 = icmp sgt i64 %v590, 1
+  br i1 %v612, label %v589, label %v133
 
-v361:
-  %v380 = phi double [ 0.000000e+00, %v356 ], [ %v402, %v398 ]
-  %v392 = phi double [ %v349, %v356 ], [ %v400, %v398 ]
-  %v388 = phi double [ %v348, %v356 ], [ %v397, %v398 ]
-  %v526 = phi i64 [ %v353, %v356 ], [ %v525, %v398 ]
-  %v528 = phi i64 [ %v309, %v356 ], [ %v527, %v398 ]
-  %v582 = sitofp i64 %v528 to double
-  %v366 = select i1 %v253, double %v582, double 1.000000e+00
-  %v583 = icmp slt i64 %v528, 0
-  %v584 = select i1 %v583, i64 %v8, i64 0
-  %v585 = add i64 %v584, %v528
-  %v586 = mul i64 %v585, %v9
-  %v364 = getelementptr double, ptr %v255, i64 %v586
-  %v587 = select i1 %v583, i64 %v19, i64 0
-  %v588 = add i64 %v587, %v528
-  %v589 = mul i64 %v588, %v20
-  %v368 = getelementptr double, ptr %v257, i64 %v589
-  %v590 = sub nsw i64 %v114, %v528
-  %v591 = icmp slt i64 %v590, 0
-  %v592 = select i1 %v591, i64 %v8, i64 0
-  %v593 = add i64 %v592, %v590
-  %v594 = mul i64 %v593, %v9
-  %v371 = getelementptr double, ptr %v262, i64 %v594
-  %v595 = select i1 %v591, i64 %v19, i64 0
-  %v596 = add i64 %v595, %v590
-  %v597 = mul i64 %v596, %v20
-  %v375 = getelementptr double, ptr %v266, i64 %v597
-  br i1 %v299, label %v395, label %v362
+v370:
+  %v389 = phi double [ 0.000000e+00, %v365 ], [ %v411, %v407 ]
+  %v401 = phi double [ %v358, %v365 ], [ %v409, %v407 ]
+  %v397 = phi double [ %v357, %v365 ], [ %v406, %v407 ]
+  %v557 = phi i64 [ %v362, %v365 ], [ %v556, %v407 ]
+  %v559 = phi i64 [ %v318, %v365 ], [ %v558, %v407 ]
+  %v613 = sitofp i64 %v559 to double
+  %v375 = select i1 %v257, double %v613, double 1.000000e+00
+  %v614 = icmp slt i64 %v559, 0
+  %v615 = select i1 %v614, i64 %v8, i64 0
+  %v616 = add i64 %v615, %v559
+  %v617 = mul i64 %v616, %v9
+  %v373 = getelementptr double, ptr %v259, i64 %v617
+  %v618 = select i1 %v614, i64 %v19, i64 0
+  %v619 = add i64 %v618, %v559
+  %v620 = mul i64 %v619, %v20
+  %v377 = getelementptr double, ptr %v261, i64 %v620
+  %v621 = sub nsw i64 %v116, %v559
+  %v622 = icmp slt i64 %v621, 0
+  %v623 = select i1 %v622, i64 %v8, i64 0
+  %v624 = add i64 %v623, %v621
+  %v625 = mul i64 %v624, %v9
+  %v380 = getelementptr double, ptr %v266, i64 %v625
+  %v626 = select i1 %v622, i64 %v19, i64 0
+  %v627 = add i64 %v626, %v621
+  %v628 = mul i64 %v627, %v20
+  %v384 = getelementptr double, ptr %v270, i64 %v628
+  br i1 %v308, label %v404, label %v371
 }
 
 ; Function Attrs: mustprogress nocallback nofree nosync nounwind speculatable willreturn memory(none)

@@ -109,6 +109,17 @@ def coefficients(
                             )
                     c = c + real[i, SIGN] * total
                     rounded = rounded + abs(c)
+                    if u == v and k == 0 and e == 0 and last == 0 and weighted == 0:
+                        # the square of a number is not below 0
+                        q, q_r = abs(C[u, 0, 0]), R[u, 0, 0]
+                        if q < q_r:
+                            c = 0.5 * (q + q_r) * (q + q_r)
+                            r = c
+                            rounded = 4.0 * c
+                        else:
+                            c = q * q + q_r * q_r
+                            r = 2.0 * q * q_r
+                            rounded = 3.0 * c
                 if weighted == 1 and k > 1:
                     c = c / k
                     r = r / k

@@ -9,7 +9,7 @@ as sin are computed by mpmath with 30 more bits and rounded outwards, never by t
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
-from math import inf, isfinite, nextafter
+from math import inf, isfinite, nextafter, pi
 from typing import Any
 
 import numpy as np
@@ -20,15 +20,6 @@ UNIT = 2.0**-52  # twice the relative error of one operation
 GROWTH = 1.0 + 2.0**-44  # of a radius, for the rounding of up to 200 operations
 TINY = 2.0**-500  # more than the errors of results that underflow
 BITS = 83
-# functions of mpmath on its raw intervals: interval, bits
-FUNCTIONS: dict[str, Any] = {
-    "exp": libmp.mpi_exp,
-    "log": libmp.mpi_log,
-    "atan": libmp.mpi_atan,
-    "sin": libmp.mpi_sin,
-    "cos": libmp.mpi_cos,
-    "sqrt": libmp.mpi_sqrt,
-}
 Interval = tuple[float, float]
 
 
@@ -130,18 +121,64 @@ def total(terms: Ball) -> Ball:
     return rounded(partial[:, -1], r, terms.c.shape[1])
 
 
+# --- functions -----------------------------------------------------------------------------
+
+
+def rising(function: Any) -> Any:
+    """Return a function that rises, of a raw interval."""
+
+    def on_interval(interval: Any, bits: int) -> Any:
+        return [function(end, bits) for end in interval]
+
+    return on_interval
+
+
+def logistic(a: Any, bits: int) -> Any:
+    """Return 1 / (1 + exp(-a)) of a raw number."""
+    power = libmp.mpf_exp(libmp.mpf_neg(a), bits)
+    return libmp.mpf_rdiv_int(1, libmp.mpf_add(libmp.fone, power, bits), bits)
+
+
+def angle(a: Any, b: Any, bits: int) -> Any:
+    """Return the ends of atan2, which rises or falls along each edge beside its jump."""
+    ends = [libmp.mpf_atan2(y, x, bits) for y in a for x in b]
+    return min(ends, key=libmp.to_float), max(ends, key=libmp.to_float)
+
+
+# functions of raw intervals of mpmath, and bits
+FUNCTIONS: dict[str, Any] = {
+    "exp": libmp.mpi_exp,
+    "log": libmp.mpi_log,
+    "atan": libmp.mpi_atan,
+    "atan2": angle,
+    "sin": libmp.mpi_sin,
+    "cos": libmp.mpi_cos,
+    "sqrt": libmp.mpi_sqrt,
+    "tanh": rising(libmp.mpf_tanh),
+    "logistic": rising(logistic),
+}
+TURN = nextafter(-pi, -inf), nextafter(pi, inf)  # of atan2 on both sides of its jump
+
+
 @lru_cache(10_000)
-def function(name: str, low: float, high: float, loose: bool) -> Interval:
+def function(name: str, loose: bool, *ends: Interval) -> Interval:
     """Return bounds of a function's values; those of mpmath have 30 more bits."""
+    low, high = ends[0]
+    why = ""
     if name in ("sqrt", "log") and not low > 0.0:
         why = "the argument of a root or a logarithm may be 0 or less"
-        if name == "sqrt" and not loose:
-            raise Switching(why)
-        if name == "log" or low < 0.0:
-            raise Undecided(why)
-    interval = libmp.from_float(low), libmp.from_float(high)
-    raw = FUNCTIONS[name](interval, BITS)
-    below, above = (libmp.to_float(end, strict=False) for end in raw)
+    if name == "atan2" and low <= 0.0 <= high and ends[1][0] <= 0.0:
+        why = "the angle of atan2 may jump by a turn"
+        if loose:
+            return TURN
+    if why and name != "log" and not loose:
+        raise Switching(why)
+    if why and (name == "log" or low < 0.0):
+        raise Undecided(why)
+    raw = [tuple(map(libmp.from_float, end)) for end in ends]
+    below, above = (
+        libmp.to_float(end, strict=False) for end in FUNCTIONS[name](*raw, BITS)
+    )
     if not isfinite(above):
         raise Undecided(f"{name} of {high:.6g} is not finite")
     return nextafter(below, -inf), nextafter(above, inf)

@@ -16,8 +16,9 @@ of Picard's box alone, with those of both sides of the switch.  Discrete time an
 times, such as those of sampled blocks, map the set by the mean value form.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from copy import deepcopy
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -25,7 +26,9 @@ import numpy as np
 from ...base.progress import interrupt
 from . import balls
 from .balls import Ball, Switching, Undecided, around, between, exact, matrix
-from .set_program import SetProgram, SetSeries
+from .noise import REACH, InputNoise, moved_apart, sources, walls
+from .set_program import SetProgram
+from .set_series import SetSeries
 
 ORDER = 26  # at most 60, for the radii of `ball_series`
 TERMS = 100  # of a set, for each state
@@ -37,7 +40,8 @@ MOST_STEPS = 20_000
 SHORTER = 2.0**-5  # least step by series after one without
 TRUNCATION = 2.0**-53  # wished remainder, of the size of a state
 SHARE = 1e-4  # and of the radius of its box
-REACH = 1e-300  # least width of a box that holds runs
+NOISY = 2.0**-3  # wished growth of noise in a step
+NOISY_STEPS = 2.0**-8  # of a run: steps with noise that may grow more
 EMPTY = np.array([np.inf, -np.inf])[:, None, None, None]  # bounds of no number
 
 
@@ -63,18 +67,30 @@ def enclosed(
         boxes = [*pieces.pop(0).halves()]
 
 
+def within(box: Ball, other: Ball | None) -> Ball:
+    """Return the part of a box that another one has, too."""
+    if other is None:
+        return box
+    return between(np.fmax(box.lower, other.lower), np.fmin(box.upper, other.upper))
+
+
+def _always(value: Any) -> Callable[[Any], Any]:
+    """Return a function that is the same at all times of a step."""
+    return lambda h: value
+
+
 class Enclosure:
     """Boxes of all runs of a program from a `whole` box of states and P.
 
-    Entries of P with a noise may change at any time by as much from their centres.  `bounds` has
-    lower and upper numbers of states and signals, at samples and over the intervals before them.
+    Inputs with a `noise` may change at any time by as much from their middles.  `bounds` has lower
+    and upper numbers of states and signals, at samples and over the intervals before them.
     """
 
     def __init__(
         self,
         whole: Ball,
         programs: list[SetProgram],
-        noise: np.ndarray,
+        noise: InputNoise,
         times: np.ndarray,
         jumps: list[int] | None,
     ):
@@ -82,7 +98,7 @@ class Enclosure:
         # 1. the set, with columns for what has a radius
         self.whole, self.n = whole, len(rates.x)
         n, P = self.n, Ball(whole.c[self.n :].copy(), whole.r[self.n :])
-        varied, disturbed = np.flatnonzero(P.r), np.flatnonzero(noise)
+        varied = np.flatnonzero(P.r).tolist()
         self.m, radii = (np.append(a[:n], a[n:][varied]) for a in whole)
         given = np.flatnonzero(radii)
         self.given, self.N = len(given), len(radii)
@@ -91,16 +107,23 @@ class Enclosure:
         self.bent = 1e-9 * self.r / (np.abs(self.m[given]) + self.r)
         # 2. series
         along = [("X", k) for k in range(n)]
-        along += [("P", k) for k in (*varied, *disturbed)]
+        along += [("P", k) for k in varied]
         self.wide = SetSeries(rates, ORDER + 1, along)
         self.narrow = SetSeries(rates, ORDER + 1)
-        self.rates = SetSeries(rates, 0, along)
-        self.leaps = SetSeries(leaps, 0, along)
+        self.rates = SetSeries(rates, 0, along, noise=True)
+        self.leaps = SetSeries(leaps, 0, along, noise=True)
         self.jumps = jumps  # places of their requests in P; None in discrete time
-        self.signals = SetSeries(signals, 0, along)
+        self.signals = SetSeries(signals, 0, along, noise=True)
         self.signals.apart = True
-        self.P, self.noise = P, noise[disturbed]
-        self.disturbed_P = Ball(P.c, (P.r + noise) * balls.GROWTH)
+        self.P, self.noise, self.is_noisy = P, noise, bool(rates.sources)
+        self.walls: Ball | None = None  # a box beside the set, of runs with noise
+        self.of_inputs = {
+            program: SetSeries(program.of_inputs(), 0)
+            for program in programs
+            if program.sources
+        }
+        if signals in self.of_inputs:
+            self.of_inputs[signals].apart = True
         # 3. results
         self.times, self.t, self.why = times, float(times[0]), ""
         self.span = float(times[-1] - times[0])
@@ -127,8 +150,9 @@ class Enclosure:
         try:
             for edge, values in zip(schedule.edges, schedule.values, strict=True):
                 self.P.c[schedule.indices] = values
-                self._begin()
                 end = min(float(edge), float(self.times[-1]))
+                self._disturb(end)
+                self._begin()
                 while self.t < end:
                     self._advance(end)
                     if self.steps >= MOST_STEPS:
@@ -139,6 +163,21 @@ class Enclosure:
         # an interval is covered whole or not at all
         self.bounds[:, 1, self.place(self.t, "right") :] = np.nan
         self.bounds[np.isinf(self.bounds)] = np.nan
+
+    def _disturb(self, end: float) -> None:
+        """Compute the intervals of the sources of noise up to a time."""
+        radii = self.noise.largest(self.t, self.t if self.jumps is None else end)
+        for program, of_inputs in self.of_inputs.items():
+            found = sources(of_inputs, self.t, self.P, self.noise.places, radii)
+            for series in (
+                self.wide,
+                self.narrow,
+                self.rates,
+                self.leaps,
+                self.signals,
+            ):
+                if series.program is program:
+                    series.of_sources = found
 
     def _begin(self) -> None:
         """Begin a segment with its jumps; a sample there is after them."""
@@ -152,33 +191,37 @@ class Enclosure:
                 raise
         # the next interval begins with this box, too
         for which, stop in enumerate((now.stop, now.stop + 1)):
-            self._write(which, slice(now.start, stop), exact(self.t), *self._set)
+            self._write(
+                which, slice(now.start, stop), exact(self.t), *self._set, self.walls
+            )
 
     def _image(self, series: SetSeries, t: Ball, x: Ball, G: Ball) -> tuple[Ball, Ball]:
         """Return centre and generators of a function of the set, or its box where it switches."""
         box = self._box(x, G)
         try:
-            J = series.evaluate(t, box, self.disturbed_P)[:, 0, 1:]
+            J = series.evaluate(t, box, self.P, noisy=True)[:, 0, 1:]
             y = series.evaluate(t, x, Ball(self.P.c, 0 * self.P.r))[:, 0, 0]
         except Switching:
-            y = series.evaluate(t, box, self.disturbed_P, loose=True)[:, 0, 0]
+            y = self._plain(series, t, box)
             return y, exact(np.zeros((len(y.c), len(self.r))))
-        y = balls.add(y, matrix(J[:, self.N :], around(self.noise)))
+        y = balls.add(y, J[:, -1])
         rest = self.G[self.n :]
         G = Ball(np.vstack([G.c, rest]), np.vstack([G.r, 0 * rest]))
         return y, matrix(J[:, : self.N], G)
 
+    def _plain(self, series: SetSeries, t: Ball, box: Ball) -> Ball:
+        """Return values on a box, of both sides of switches, with noise."""
+        return series.evaluate(t, box, self.P, loose=True, noisy=True)[:, 0, 0]
+
     def _write(
-        self, which: int, rows: slice, t: Ball, x: Ball, G: Ball, *hull: Ball
+        self, which: int, rows: slice, t: Ball, x: Ball, G: Ball, hull: Ball | None
     ) -> None:
         """Widen boxes by that of states, and by those of signals: plain, and by their slopes."""
-        box = self._box(x, G)
-        for B in hull:
-            box = between(np.fmax(box.lower, B.lower), np.fmin(box.upper, B.upper))
+        box = within(self._box(x, G), hull)
         low, high = box.lower, box.upper
         if len(self.signals.results):
             y = self._box(*self._image(self.signals, t, x, G))
-            plain = self.signals.evaluate(t, box, self.disturbed_P, loose=True)[:, 0, 0]
+            plain = self._plain(self.signals, t, box)
             low = np.append(low, np.fmax(plain.lower, y.lower))
             high = np.append(high, np.fmin(plain.upper, y.upper))
             for k in {*np.flatnonzero(np.isnan(low[self.n :]))}.difference(self.lost):
@@ -218,9 +261,12 @@ class Enclosure:
         p, n, N, t = ORDER, self.n, self.N, self.t
         least, shortest = LEAST * self.span, SHORTER * self.short * self._is_beside
         # 1. coefficients on the box
-        box = self._box(*self._set)
+        box = self._hull
         wide = self.wide.evaluate(exact(t), box, self.P)
         F = wide[:, :, 0]
+        d = None
+        if self.is_noisy:  # an error if the box itself straddles a switch
+            d = self.rates.evaluate(exact(t), box, self.P, noisy=True)[:, 0, -1].size
         longest = max(LARGER * self.h, least)
         h, allowed = self._length(F, box, min(longest, end - t))
         # 2. a box that holds all runs
@@ -230,7 +276,7 @@ class Enclosure:
             new = end if end - t - h < 1e-3 * h else t + h
             step = moved(t, new)
             try:
-                remainder, hull, more = self._remainder(step, F, box)
+                remainder, hull, apart = self._remainder(step, F, box, d)
                 error = remainder.size * float(step.upper) ** (p + 1)
                 worst = float(np.max(error / allowed))
                 if worst <= 1.0 or h < 4.0 * least:
@@ -252,7 +298,8 @@ class Enclosure:
             powers = self._powers(h)
             jacobian = matrix(powers[None, : p + 1], J)[:, 0]
             centre = balls.total(balls.mul(terms, powers))
-            return balls.add(centre, around(more)), matrix(jacobian, exact(self.G))
+            centre = balls.add(centre, around(apart(float(h.upper))))
+            return centre, matrix(jacobian, exact(self.G))
 
         # errors of the Jacobian grow as h, more is of dependent terms
         while len(self.r) and 0.5 * (new - t) > least:
@@ -290,14 +337,21 @@ class Enclosure:
         """The middle of the states and their generators."""
         return exact(self.m[: self.n]), exact(self.G[: self.n])
 
+    @property
+    def _hull(self) -> Ball:
+        """The box of the states within the walls, and their middle."""
+        box = within(self._box(*self._set), self.walls)
+        middle = self.m[: self.n]
+        return between(np.minimum(box.lower, middle), np.maximum(box.upper, middle))
+
     def _box(self, x: Ball, G: Ball) -> Ball:
         """Return the box of values with a middle and generators."""
         return balls.add(x, matrix(G, around(self.r)))
 
-    def _accept(self, new: float, hull: Ball, flow: Any) -> None:
+    def _accept(self, new: float, hull: Any, flow: Any) -> None:
         """Go to a new time, and write the boxes up to it.
 
-        `flow` returns centre and generators of x after a time in a ball.
+        `flow` returns centre and generators of x after a time in a ball, `hull` a box of them.
         """
         t = self.t
         # 1. boxes over intervals, as far as these are in the step, and at samples
@@ -306,10 +360,12 @@ class Enclosure:
             spans = [(1, max(t, self.times[k - 1])), (0, end)]
             for which, begin in spans[: 1 + (end == self.times[k])]:
                 h = between(moved(t, begin).lower, moved(t, end).upper)
-                at = slice(k, k + 1), between(begin, end)
-                self._write(which, *at, *flow(h), hull)
+                x, G = flow(h)
+                rows = slice(k, k + 1)
+                self._write(which, rows, between(begin, end), x, G, hull(h))
         # 2. the set
         self._put(*flow(moved(t, new)))
+        self.walls = hull(moved(t, new)) if self.is_noisy else None
         self.h, self.t = new - t, new
         self.steps += 1
 
@@ -319,7 +375,7 @@ class Enclosure:
         errors = balls.add(matrix(around(G.r), exact(self.r)), exact(centre.r)).size
         bent = G.r[:, : self.given] * self.r[: self.given]
         self.bent += np.sum(bent.T / (self._box(*self._set).r + REACH), axis=1)
-        self.m[:n] = centre.c
+        self.m[:n], self.walls = centre.c, None
         self.G = np.hstack([np.vstack([G.c, self.G[n:]]), np.eye(N, n)])
         self.r = np.concatenate([self.r, errors])
         if (count := len(self.r) - self.given) > TERMS * n:
@@ -332,13 +388,18 @@ class Enclosure:
 
     # --- boxes that hold runs -----------------------------------------------------------------
 
-    def _remainder(self, step: Ball, F: Ball, box: Ball) -> tuple[Ball, Ball, Any]:
-        """Return coefficient p + 1 on a box that holds all runs, the box, and what noise adds."""
+    def _remainder(
+        self, step: Ball, F: Ball, box: Ball, d: np.ndarray | None
+    ) -> tuple[Ball, Any, Any]:
+        """Return coefficient p + 1 on a box that holds all runs, the box, and what noise adds.
+
+        Both are functions of the time since the step began; d is the noise of the rates then.
+        """
         p, h = ORDER, float(step.upper)
         time = between(self.t, np.nextafter(self.t + h, np.inf))
-        if len(self.noise):
-            B, more = self._disturbed(time, h)
-            return self.narrow.evaluate(time, B, self.P)[:, p + 1, 0], B, more
+        if d is not None:
+            B, hull, apart = self._disturbed(time, h, d)
+            return self.narrow.evaluate(time, B, self.P)[:, p + 1, 0], hull, apart
         powers = self._powers(between(0.0, h))
         base = matrix(F[:, : p + 1], powers[: p + 1])
         last = float(powers.upper[p + 1])
@@ -348,16 +409,17 @@ class Enclosure:
             found = self.narrow.evaluate(time, B, self.P)[:, p + 1, 0]
             needed = last * found.size * balls.GROWTH
             if np.all(needed < reach):
-                return found, Ball(base.c, (base.r + needed) * balls.GROWTH), 0 * needed
+                B = Ball(base.c, (base.r + needed) * balls.GROWTH)
+                return found, _always(B), _always(0.0 * needed)
             reach = np.maximum(reach, 4.0 * needed)
         raise Undecided("no box holds the runs of a step")
 
     def _picard(self, time: Ball, h: float, reach: float) -> tuple[Ball, Ball]:
         """Return a box that no run leaves during a step, and the rates in it."""
-        box, during = self._box(*self._set), between(0.0, h)
+        box, during = self._hull, between(0.0, h)
         B = box
         for _ in range(8 + self.n):  # each may wait for another to grow
-            found = self.rates.evaluate(time, B, self.disturbed_P, loose=True)[:, 0, 0]
+            found = self._plain(self.rates, time, B)
             needed = balls.add(box, balls.mul(during, found))
             if np.all((needed.lower > B.lower) & (needed.upper < B.upper)):
                 return B, found
@@ -375,27 +437,21 @@ class Enclosure:
         time = between(self.t, np.nextafter(self.t + h, np.inf))
         B, rates = self._picard(time, h, 1e-6 * h * h)  # a root grows from 0
         x, G = self._set
-        self._accept(new, B, lambda h: (balls.add(x, balls.mul(rates, h)), G))
+        self._accept(new, _always(B), lambda h: (balls.add(x, balls.mul(rates, h)), G))
         self.crude += 1
 
-    def _disturbed(self, time: Ball, h: float) -> tuple[Ball, np.ndarray]:
-        """Return Picard's box, and how far noise moves a run in a step.
-
-        Two runs from one state with and without noise differ by at most the integral of
-        exp(J (h - s)) d, J a bound of the Jacobian and d of what the noise adds to the rates
-        (Kapela and Zgliczynski 2009).
-        """
+    def _disturbed(self, time: Ball, h: float, d: np.ndarray) -> tuple[Ball, Any, Any]:
+        """Return Picard's box, its walls, and how far noise moves a run, by times in a step."""
         n = self.n
         B, _ = self._picard(time, h, REACH)
-        slopes = self.rates.evaluate(time, B, self.disturbed_P)[:, 0, 1:]
-        d = matrix(slopes[:, self.N :], around(self.noise)).size
-        J = slopes[:, :n].size
+        slopes = self.rates.evaluate(time, B, self.P, noisy=True)[:, 0, 1:]
+        J, during = slopes[:, :n].size, slopes[:, -1].size
         J[np.diag_indices(n)] = np.diag(slopes[:, :n].upper)
-        if not h * np.max(np.sum(np.abs(J), axis=1)) < 2.0:
+        grows = np.any((d > 0.0) & (during > (1.0 + NOISY) * d))
+        if grows and h > NOISY_STEPS * self.span:
             raise Undecided("a step is too long for its noise")
-        term = total = balls.mul(exact(d), exact(h))
-        for k in range(2, 40):
-            scale = between(np.nextafter(h / k, 0.0), np.nextafter(h / k, np.inf))
-            term = balls.mul(matrix(exact(J), term), scale)
-            total = balls.add(total, term)
-        return B, (total.upper + 2.0 * np.max(term.size)) * balls.GROWTH + REACH
+        apart = partial(moved_apart, during, J)
+        apart(h)  # an error if the step is too long
+        box = within(self._box(*self._set), self.walls)
+        hull = walls(partial(self._plain, self.rates, time), box, B, h)
+        return B, hull, apart
