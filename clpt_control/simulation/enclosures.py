@@ -15,6 +15,7 @@ from ..base.labelled import Labelled, unit_of, unlabelled
 from ..engine.codegen.diagram_record import DiagramRecord, Form
 from ..engine.codegen.directional_derivatives import read_as_number
 from ..engine.enclosure.balls import Ball, between
+from ..engine.enclosure.curvature import tangents
 from ..engine.enclosure.noise import InputNoise
 from ..engine.enclosure.set_program import SetProgram
 from ..engine.enclosure.sets import Enclosure, enclosed
@@ -227,9 +228,9 @@ def enclose(
         leaps = record.rates if made.wiring.dt else record.leaps
         programs = [
             SetProgram(record, ports, len(start.c), fixed, noise.places)
-            for ports in (record.rates, record.signals, leaps)
+            for ports in (record.rates, record.signals, leaps, record.rates)
         ]
-        rates, signals, _ = programs
+        rates, signals, _, second = programs
         if len(rates.still) * (1 + len(start.c)) > MOST_NUMBERS:
             raise Uncompiled(f"has {len(rates.still)} values, too many for its states")
     except (Uncompiled, Unread) as error:
@@ -237,6 +238,9 @@ def enclose(
             f"enclose: does not take this system: {error}. Use simulate, or "
             "run_ensemble for samples of a set"
         ) from None
+    if not made.wiring.dt:
+        along = [("X", k) for k in range(len(start.c))]
+        tangents(second, along + [("P", k) for k in np.flatnonzero(P.r).tolist()])
     signals.connect(record)
     names = names_of(made, signals)
     # 2. boxes, with room for inputs in P

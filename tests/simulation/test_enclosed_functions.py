@@ -1,5 +1,6 @@
 """Boxes of functions with a decision, a limit or a noise: flows of one state keep their order."""
 
+import itertools
 import math
 
 import mpmath
@@ -188,3 +189,60 @@ def test_an_output_has_the_noise_of_its_input():
     right = 4 * math.exp(-1.0)
     assert found.lower <= 0.0 <= right <= found.upper <= 1.05 * right
     assert found.lower > -0.05
+
+
+# --- sets of ordinary size ---------------------------------------------------------------------
+
+
+def turning(t, x, u, p):
+    """Return rates of a set that turns the faster the farther it is from 0."""
+    rate = p.k * (x.x[0] ** 2 + x.x[1] ** 2)
+    return [-rate * x.x[1], rate * x.x[0]]
+
+
+@pytest.mark.parametrize("k", [1.0, (0.99, 1.01)])
+def test_a_set_that_bends_contains_its_corners_and_is_near_their_hull(k):
+    params = {"model.k": k} if isinstance(k, tuple) else None
+    model = block(turning, 2, parameters={"k": 1.0})
+    ends = [(0.97, 1.03), (-0.03, 0.03)]
+    tube = clpt.enclose(model, [0, 0.35, 0.7], None, ends, params)
+    shares = np.linspace(-1, 1, 9)
+    for row, t in ((1, 0.35), (2, 0.7)):
+        found = []
+        for a, b, c in itertools.product(shares, shares, (0.99, 1.0, 1.01)):
+            if c != 1.0 and not params:
+                continue
+            with mpmath.workdps(30):
+                x, y = 1 + a * mpmath.mpf(0.03), b * mpmath.mpf(0.03)
+                turn = c * (x * x + y * y) * t
+                s, co = mpmath.sin(turn), mpmath.cos(turn)
+                found.append([co * x - s * y, s * x + co * y])
+        low, high = np.min(found, axis=0), np.max(found, axis=0)
+        lower, upper = tube.lower.values[row], tube.upper.values[row]
+        inner = 1e-12  # products of doubles in the corners
+        assert tube.status == "finished"
+        assert np.all(lower <= low + inner)
+        assert np.all(high - inner <= upper)
+        assert np.all(upper - lower <= 1.5 * (high - low).astype(float))
+
+
+@pytest.mark.long  # 6 s of CPU: the smallest published set that needs second order
+def test_the_laub_loomis_benchmark_is_verified():
+    def rates(t, x, u, p):
+        a, b, c, d, e, f, g = x.x
+        return [
+            *(1.4 * c - 0.9 * a, 2.5 * e - 1.5 * b, 0.6 * g - 0.8 * b * c),
+            *(
+                2 - 1.3 * c * d,
+                0.7 * a - d * e,
+                0.3 * a - 3.1 * f,
+                1.8 * f - 1.5 * b * g,
+            ),
+        ]
+
+    middle = [1.2, 1.05, 1.5, 2.4, 1.0, 0.1, 0.45]
+    for w, most in ((0.05, 4.5), (0.1, 5.0)):
+        ends = [(x - w, x + w) for x in middle]
+        tube = clpt.enclose(block(rates, 7), np.linspace(0, 20, 81), None, ends)
+        assert tube.status == "finished"
+        assert float(tube.over_upper.sel(name="x[3]").max()) < most

@@ -82,6 +82,13 @@ def between(lower: Any, upper: Any) -> Ball:
     return Ball(np.where(lower == upper, lower, c), r)
 
 
+def within(box: Ball, other: Ball | None) -> Ball:
+    """Return the part of a box that another one has, too."""
+    if other is None:
+        return box
+    return between(np.fmax(box.lower, other.lower), np.fmin(box.upper, other.upper))
+
+
 def middle(low: float, high: float) -> Interval:
     """Return centre and radius of one interval, those of `between`."""
     if low == high:

@@ -10,13 +10,15 @@ A step of length h has three evaluations of the record on balls:
    1996); the remainder is h^(p + 1) F_(p + 1)(B);
 3. coefficients at the middle, for the mean value form.
 
-J maps G.  The errors of a step are new columns, and when these are many the shortest become a box
+J maps G; sets too wide for first derivatives take second ones (`curvature`).
+The errors of a step are new columns, and when these are many the shortest become a box
 (Kuehn 1998).  Where there is no series, at a switch or at the root of 0, a short step has the rates
 of Picard's box alone, with those of both sides of the switch.  Discrete time and jumps at known
 times, such as those of sampled blocks, map the set by the mean value form.
 """
 
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from copy import deepcopy
 from functools import partial
 from typing import Any
@@ -25,10 +27,12 @@ import numpy as np
 
 from ...base.progress import interrupt
 from . import balls
-from .balls import Ball, Switching, Undecided, around, between, exact, matrix
+from .balls import Ball, Switching, Undecided, around, between, exact, matrix, within
+from .curvature import bend, second_derivatives, with_tangents
 from .noise import REACH, InputNoise, moved_apart, sources, walls
 from .set_program import SetProgram
 from .set_series import SetSeries
+from .step_length import moved, powers, step_length
 
 ORDER = 26  # at most 60, for the radii of `ball_series`
 TERMS = 100  # of a set, for each state
@@ -38,17 +42,10 @@ LONGEST = 2.0**-8  # of a run: the longest of these
 LARGER = 1.1  # the longest step after another one
 MOST_STEPS = 20_000
 SHORTER = 2.0**-5  # least step by series after one without
-TRUNCATION = 2.0**-53  # wished remainder, of the size of a state
-SHARE = 1e-4  # and of the radius of its box
+FLAT = 2.0**-20  # error of a step by first derivatives, beside the radius of a box
 NOISY = 2.0**-3  # wished growth of noise in a step
 NOISY_STEPS = 2.0**-8  # of a run: steps with noise that may grow more
 EMPTY = np.array([np.inf, -np.inf])[:, None, None, None]  # bounds of no number
-
-
-def moved(t: float, new: float) -> Ball:
-    """Return the difference of two times."""
-    length = new - t
-    return between(np.nextafter(length, 0), np.nextafter(length, np.inf))
 
 
 def enclosed(
@@ -65,13 +62,6 @@ def enclosed(
         if len(pieces) >= most or not np.any(pieces[0].whole.r):
             return pieces
         boxes = [*pieces.pop(0).halves()]
-
-
-def within(box: Ball, other: Ball | None) -> Ball:
-    """Return the part of a box that another one has, too."""
-    if other is None:
-        return box
-    return between(np.fmax(box.lower, other.lower), np.fmin(box.upper, other.upper))
 
 
 def _always(value: Any) -> Callable[[Any], Any]:
@@ -94,7 +84,7 @@ class Enclosure:
         times: np.ndarray,
         jumps: list[int] | None,
     ):
-        rates, signals, leaps = programs
+        rates, signals, leaps, second = programs
         # 1. the set, with columns for what has a radius
         self.whole, self.n = whole, len(rates.x)
         n, P = self.n, Ball(whole.c[self.n :].copy(), whole.r[self.n :])
@@ -105,11 +95,19 @@ class Enclosure:
         self.G, self.r = np.eye(self.N)[:, given], radii[given]
         # by how much each column bends; at first its share
         self.bent = 1e-9 * self.r / (np.abs(self.m[given]) + self.r)
+        # columns of products of two, if there are second derivatives
+        is_second = self.given > 0 and len(second.x) == n * (1 + self.N)
+        if is_second:
+            i, j = np.triu_indices(self.given)
+            self.r = np.append(self.r, self.r[i] * self.r[j] * balls.GROWTH)
+            self.G = np.hstack([self.G, np.zeros((self.N, len(i)))])
+        self.kept = len(self.r)
         # 2. series
         along = [("X", k) for k in range(n)]
         along += [("P", k) for k in varied]
         self.wide = SetSeries(rates, ORDER + 1, along)
         self.narrow = SetSeries(rates, ORDER + 1)
+        self.second = SetSeries(second, ORDER + 1, along) if is_second else None
         self.rates = SetSeries(rates, 0, along, noise=True)
         self.leaps = SetSeries(leaps, 0, along, noise=True)
         self.jumps = jumps  # places of their requests in P; None in discrete time
@@ -159,7 +157,7 @@ class Enclosure:
                         raise Undecided(f"the run takes more than {MOST_STEPS} steps")
         except Undecided as error:
             self.why = str(error)
-        del self.wide, self.narrow  # large
+        del self.wide, self.narrow, self.second  # large
         # an interval is covered whole or not at all
         self.bounds[:, 1, self.place(self.t, "right") :] = np.nan
         self.bounds[np.isinf(self.bounds)] = np.nan
@@ -268,7 +266,7 @@ class Enclosure:
         if self.is_noisy:  # an error if the box itself straddles a switch
             d = self.rates.evaluate(exact(t), box, self.P, noisy=True)[:, 0, -1].size
         longest = max(LARGER * self.h, least)
-        h, allowed = self._length(F, box, min(longest, end - t))
+        h, allowed = step_length(F, box, min(longest, end - t), least)
         # 2. a box that holds all runs
         while True:
             if h < shortest:
@@ -293,13 +291,23 @@ class Enclosure:
         terms = F_m[:, :, 0]
         terms.c[:, p + 1], terms.r[:, p + 1] = remainder
         J = wide[:, : p + 1, 1 : N + 1]
+        H = self._bends(box, J, step)
+        if H is not None:
+            middle = Ball(self.P.c, 0 * self.P.r)
+            J = self.wide.evaluate(exact(t), exact(self.m[:n]), middle)
+            J = J[:, : p + 1, 1 : N + 1]
 
         def flow(h: Ball) -> tuple[Ball, Ball]:
-            powers = self._powers(h)
-            jacobian = matrix(powers[None, : p + 1], J)[:, 0]
-            centre = balls.total(balls.mul(terms, powers))
+            scales = powers(h, ORDER + 2)
+            centre = balls.total(balls.mul(terms, scales))
             centre = balls.add(centre, around(apart(float(h.upper))))
-            return centre, matrix(jacobian, exact(self.G))
+            G = matrix(matrix(scales[None, : p + 1], J)[:, 0], exact(self.G))
+            if H is None:
+                return centre, G
+            of_step = matrix(scales[None, : p + 1], H)[:, 0]
+            of_step = Ball(*(a.reshape(n, N, N) for a in of_step))
+            left = bend(G, of_step, self.G, self.r, self.given)
+            return balls.add(centre, around(left)), G
 
         # errors of the Jacobian grow as h, more is of dependent terms
         while len(self.r) and 0.5 * (new - t) > least:
@@ -310,27 +318,19 @@ class Enclosure:
             new = half
         self._accept(new, hull, flow)
 
-    def _length(self, F: Ball, box: Ball, h: float) -> tuple[float, np.ndarray]:
-        """Return a length by the last coefficients, and errors allowed to the states."""
-        p, sizes = ORDER, F.size
-        while True:
-            terms = sizes * h ** np.arange(p + 2)
-            allowed = TRUNCATION * np.sum(terms[:, : p + 1], axis=1)
-            allowed += SHARE * box.r + REACH
-            worst = float(np.max(terms[:, p:].T / allowed))
-            if worst <= 1.0 or h < LEAST * self.span:
-                return h, allowed
-            h *= max(0.2, 0.95 * worst ** (-1.0 / (p + 1))) if worst < np.inf else 0.2
-
-    def _powers(self, h: Ball) -> Ball:
-        """Return h^i up to the last coefficient; no h is below 0."""
-        i = np.arange(ORDER + 2)
-        low, high = (
-            np.cumprod(np.append(1.0, np.full(ORDER + 1, max(float(end), 0.0))))
-            for end in (h.lower, h.upper)
-        )
-        share, tiny = i * balls.UNIT, np.where(i > 1, balls.TINY, 0.0)
-        return between(low * (1.0 - share) - tiny, high * (1.0 + share) + tiny)
+    def _bends(self, box: Ball, J: Ball, step: Ball) -> Ball | None:
+        """Return second derivatives of coefficients, where first ones on the box are too wide."""
+        n, orders = self.n, ORDER + 1
+        if self.second is None:
+            return None
+        jacobian = matrix(powers(step, orders)[None], J)[:, 0]
+        if np.all(matrix(jacobian, exact(self.G)).r @ self.r <= FLAT * box.r):
+            return None
+        with suppress(Undecided):
+            x = with_tangents(box, self.N)
+            found = self.second.evaluate(exact(self.t), x, self.P)
+            return second_derivatives(found[:, :orders, 1:], n, self.N)
+        return None
 
     @property
     def _set(self) -> tuple[Ball, Ball]:
@@ -378,10 +378,10 @@ class Enclosure:
         self.m[:n], self.walls = centre.c, None
         self.G = np.hstack([np.vstack([G.c, self.G[n:]]), np.eye(N, n)])
         self.r = np.concatenate([self.r, errors])
-        if (count := len(self.r) - self.given) > TERMS * n:
+        if (count := len(self.r) - self.kept) > TERMS * n:
             lengths = np.max(np.abs(self.G), axis=0) * self.r
-            shortest = np.argsort(lengths[self.given :])[: count - TERMS // 2 * n]
-            shortest += self.given
+            shortest = np.argsort(lengths[self.kept :])[: count - TERMS // 2 * n]
+            shortest += self.kept
             rest = matrix(exact(np.abs(self.G[:n, shortest])), exact(self.r[shortest]))
             self.G = np.hstack([np.delete(self.G, shortest, axis=1), np.eye(N, n)])
             self.r = np.concatenate([np.delete(self.r, shortest), rest.size])
@@ -400,9 +400,9 @@ class Enclosure:
         if d is not None:
             B, hull, apart = self._disturbed(time, h, d)
             return self.narrow.evaluate(time, B, self.P)[:, p + 1, 0], hull, apart
-        powers = self._powers(between(0.0, h))
-        base = matrix(F[:, : p + 1], powers[: p + 1])
-        last = float(powers.upper[p + 1])
+        scales = powers(between(0.0, h), ORDER + 2)
+        base = matrix(F[:, : p + 1], scales[: p + 1])
+        last = float(scales.upper[p + 1])
         reach = 2.0 * last * F[:, p + 1].size + balls.UNIT * base.size + REACH
         for _ in range(3):
             B = Ball(base.c, (base.r + reach) * balls.GROWTH)
