@@ -46,5 +46,6 @@ from .theory.excitation.certify import certify as certify
 from .theory.excitation.gramian import gramian as gramian
 from .theory.laws.prove_law import prove as prove
 from .theory.proofs.lyapunov_function import lyapunov as lyapunov
+from .theory.proofs.verify import verify as verify
 
 __version__: str

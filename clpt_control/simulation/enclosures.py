@@ -1,8 +1,9 @@
 """Guaranteed runs: boxes that contain every run from sets of states, parameters and inputs."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from itertools import product
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 import control
@@ -13,11 +14,13 @@ from ..base.errors import ArgumentError, SimulationError, Uncompiled
 from ..base.figures import BLUE, literal
 from ..base.labelled import Labelled, unit_of, unlabelled
 from ..engine.codegen.diagram_record import DiagramRecord, Form
-from ..engine.codegen.directional_derivatives import read_as_number
+from ..engine.codegen.directional_derivatives import call_names, read_as_number
+from ..engine.codegen.series import Node
+from ..engine.diagram.wiring import wiring_of
 from ..engine.enclosure.balls import Ball, between
 from ..engine.enclosure.curvature import tangents
 from ..engine.enclosure.noise import InputNoise
-from ..engine.enclosure.set_program import SetProgram
+from ..engine.enclosure.set_program import DECIDED, SetProgram
 from ..engine.enclosure.sets import Enclosure, enclosed
 from ..engine.model.declaration import same_unit
 from ..engine.model.ports import ports_of, whole_labels
@@ -198,6 +201,23 @@ def enclose(
     >>> tube.lower.values.round(3)[-1].item(), tube.upper.values.round(3)[-1].item()
     (0.357, 0.747)
     """
+    return boxes(system, timepts, inputs, initial_state, params, pieces)
+
+
+def boxes(
+    system: Any,
+    timepts: Any,
+    inputs: Any,
+    initial_state: Any,
+    params: Mapping[str, Any] | None,
+    pieces: int = 1,
+    margins: Mapping[str, Any] = MappingProxyType({}),
+    undecided: Callable[[Enclosure], bool] | None = None,
+) -> "xarray.Dataset":
+    """Return the boxes of `enclose`, the last of them of `margins`, functions of signals.
+
+    Pieces are halved where they are `undecided`.
+    """
     # 1. programs of the record
     check_pairs(inputs, initial_state, params or {})
     given = {"inputs": inputs, "initial_state": initial_state, "params": params or {}}
@@ -242,14 +262,20 @@ def enclose(
         along = [("X", k) for k in range(len(start.c))]
         tangents(second, along + [("P", k) for k in np.flatnonzero(P.r).tolist()])
     signals.connect(record)
+    values = _signals(made, signals)
     names = names_of(made, signals)
+    for name, margin in margins.items():
+        signals.results.append(_margin(name, margin, values, signals))
+        names.append(name)
     # 2. boxes, with room for inputs in P
     room = np.zeros(layout.inputs(made.wiring.ninputs) - len(P.c))
     pairs = zip(start, P, strict=True)
     whole = Ball(*(np.concatenate([x, p, room]) for x, p in pairs))
     jumps = None if made.wiring.dt else [*layout.jumps.values()]
     times = request.times if request.steps is None else request.times[request.steps]
-    runs = enclosed(whole, schedule, pieces, programs, noise, times, jumps)
+    runs = enclosed(
+        whole, schedule, pieces, programs, noise, times, jumps, undecided=undecided
+    )
     lost = {names[one.n + k]: why for one in runs for k, why in one.lost.items()}
     whose = "all states and outputs" + (f" but {', '.join(lost)}" if lost else "")
     tube = dataset_of(runs, names, f"{GUARANTEED} {whose}")
@@ -271,6 +297,60 @@ def enclose(
             f"began in, so the `over_` boxes of {whose} up to then hold for ever"
         )
     return tube
+
+
+def _signals(made: DiagramRun, signals: SetProgram) -> tuple[Any, ...]:
+    """Return the time, and names and values of outputs and states, as numbers of a program."""
+    outputs = [Node(signals, slot) for slot in signals.results]  # type: ignore[arg-type]
+    states = [Node(signals, slot) for slot in signals.x]  # type: ignore[arg-type]
+    time = Node(signals, signals.time)  # type: ignore[arg-type]
+    return time, (made.output_labels, outputs), (whole_labels(made.states), states)
+
+
+def _margin(name: str, margin: Any, values: tuple, signals: SetProgram) -> int:
+    """Return the value of a function of signals."""
+    first = len(signals.steps)
+    value = margin(*values)
+    if not isinstance(value, Node):
+        value = Node(signals, signals.number(float(value)))  # type: ignore[arg-type]
+    kinds = {step.kind for step in signals.steps[first:]}
+    if kinds & ({*DECIDED, "mod", "pick", "where"}):
+        raise ArgumentError(
+            f"{name}: jumps. Give a number that is above 0 where the specification holds, in "
+            "continuous functions"
+        )
+    return signals.interval_of(value.argument)
+
+
+def varied_by(
+    system: Any, part: float, params: Mapping[str, Any]
+) -> tuple[dict[str, Any], list[str]]:
+    """Return parameters with an interval around the number of each other one, and what has none."""
+    if not 0.0 < numbers("within", part) < 1.0:
+        raise ArgumentError(
+            f"within = {brief(part)}: must be between 0 and 1, 0.1 for 10 %"
+        )
+    wiring = wiring_of(as_diagram(system)[0])
+    varied, still = dict[str, Any](), list[str]()
+    for node in wiring.nodes:
+        block = node.system
+        at_known_times = block.first_held is not None or not block.breakpoints_function
+        for name, field in call_names(node.name, block).items():
+            number = getattr(block.parameters, field)
+            value = np.asarray(number, float)
+            if field == "interval" or name in params or not np.any(value):
+                continue
+            is_fixed = not at_known_times or isinstance(number, int)
+            if (
+                is_fixed
+                or read_as_number(block, field)
+                or not np.all(np.isfinite(value))
+            ):
+                still.append(name)
+                continue
+            far = part * np.abs(value)
+            varied[name] = ((value - far)[()], (value + far)[()])
+    return {**varied, **params}, still
 
 
 def noise_of(times: np.ndarray, middle: Ball, first: int) -> InputNoise:

@@ -49,19 +49,32 @@ EMPTY = np.array([np.inf, -np.inf])[:, None, None, None]  # bounds of no number
 
 
 def enclosed(
-    whole: Ball, schedule: Any, most: int, *arguments: Any
+    whole: Ball,
+    schedule: Any,
+    most: int,
+    *arguments: Any,
+    undecided: Callable[["Enclosure"], bool] | None = None,
 ) -> list["Enclosure"]:
-    """Return boxes of at most so many pieces of a box, the earliest to end first."""
-    pieces, boxes = list[Enclosure](), [whole]
+    """Return boxes of at most so many pieces of a box.
+
+    The earliest to end is divided first, of those that are `undecided` if that is asked.
+    """
+    pieces, parts = list[Enclosure](), [whole]
     while True:
-        for box in boxes:
+        for box in parts:
             interrupt.check()
             pieces.append(Enclosure(box, *arguments))
             pieces[-1].run(schedule)
         pieces.sort(key=lambda piece: (piece.t, -np.sum(piece.bent)))
-        if len(pieces) >= most or not np.any(pieces[0].whole.r):
+        wide = [piece for piece in pieces if np.any(piece.whole.r)]
+        if undecided is not None:
+            wide = [piece for piece in wide if undecided(piece)]
+        elif wide:
+            wide = wide[:1] if wide[0] is pieces[0] else []
+        if len(pieces) >= most or not wide:
             return pieces
-        boxes = [*pieces.pop(0).halves()]
+        pieces.remove(wide[0])
+        parts = [*wide[0].halves()]
 
 
 def _always(value: Any) -> Callable[[Any], Any]:
@@ -353,16 +366,29 @@ class Enclosure:
 
         `flow` returns centre and generators of x after a time in a ball, `hull` a box of them.
         """
-        t = self.t
+        t, before = self.t, within(self._box(*self._set), self.walls)
         # 1. boxes over intervals, as far as these are in the step, and at samples
         for k in range(self.place(t, "right"), self.place(new) + 1):
-            end = min(new, self.times[k])
-            spans = [(1, max(t, self.times[k - 1])), (0, end)]
-            for which, begin in spans[: 1 + (end == self.times[k])]:
-                h = between(moved(t, begin).lower, moved(t, end).upper)
-                x, G = flow(h)
-                rows = slice(k, k + 1)
-                self._write(which, rows, between(begin, end), x, G, hull(h))
+            begin, end = max(t, self.times[k - 1]), min(new, self.times[k])
+            rows, inside = slice(k, k + 1), between(begin, end)
+            h = between(moved(t, begin).lower, moved(t, end).upper)
+            x, G = flow(h)
+            box = within(self._box(x, G), hull(h))
+            # no state goes farther from that at an end than at its rates
+            length = float(moved(begin, end).upper)
+            with suppress(Undecided):
+                far = self._plain(self.rates, inside, box)
+                reach = balls.add(before, balls.mul(between(0.0, length), far))
+                box = within(box, reach)
+            if end == self.times[k]:
+                x_end, G_end = flow(moved(t, end))
+                before = within(self._box(x_end, G_end), hull(moved(t, end)))
+                self._write(0, rows, exact(end), x_end, G_end, before)
+                with suppress(Undecided):
+                    far = self._plain(self.rates, inside, box)
+                    reach = balls.add(before, balls.mul(between(-length, 0.0), far))
+                    box = within(box, reach)
+            self._write(1, rows, inside, x, G, box)
         # 2. the set
         self._put(*flow(moved(t, new)))
         self.walls = hull(moved(t, new)) if self.is_noisy else None

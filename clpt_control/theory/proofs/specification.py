@@ -1,0 +1,177 @@
+"""Specifications of runs: texts, or functions of named signals, as margins.
+
+    level < 0.9             0.9 - level
+    a < b and c >= d        min(b - a, c - d)
+
+A margin is above 0 where a specification holds.  One function serves boxes (`Node`s of a program)
+and runs (arrays over time).  Names are those of outputs and states, and t.
+"""
+
+import ast
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import reduce
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+
+from ...base.arguments import brief, known
+from ...base.errors import ArgumentError, Uncompiled
+from ...engine.record.operations import UFUNCS
+
+GRAMMAR = (
+    "Give a comparison such as 'level < 0.9', or several with `and`, of names, numbers and "
+    "functions of NumPy"
+)
+OPERATORS: dict[type, Callable[..., Any]] = {
+    ast.Add: np.add,
+    ast.Sub: np.subtract,
+    ast.Mult: np.multiply,
+    ast.Div: np.true_divide,
+    ast.Pow: np.power,
+    ast.USub: np.negative,
+    ast.UAdd: lambda a: a,
+}
+NAMES = {"abs": np.absolute, "min": np.minimum, "max": np.maximum, "pi": np.pi}
+FUNCTIONS = {u.__name__: u for u in UFUNCS if isinstance(u, np.ufunc)} | NAMES
+
+
+@dataclass(frozen=True)
+class Specification:
+    """A condition of runs from a time on: `margin` of the signals is above 0, or 0 unless `strict`.
+
+    `sign` is -1 of what must never hold.
+    """
+
+    claim: str  # "always level < 0.9"
+    margin: Callable[[Any], Any]
+    strict: bool
+    begin: float
+    sign: float = 1.0
+
+    def of(self, signals: Mapping[str, Any]) -> Any:
+        """Return the margin of signals by name."""
+        try:
+            value = self.margin(SimpleNamespace(**signals))
+            return value if self.sign > 0.0 else np.negative(value)
+        except AttributeError as error:
+            names = [*signals]
+            raise ArgumentError(
+                f"{self.claim}: has no signal '{error.name}'. {known(str(error.name), names)}"
+            ) from None
+        except (Uncompiled, KeyError, TypeError, IndexError, ValueError) as error:
+            raise ArgumentError(
+                f"{self.claim}: is no function of the signals ({type(error).__name__}: {error}). "
+                "Use operators and functions of NumPy such as np.hypot and np.minimum"
+            ) from None
+
+    def holds(self, lower: Any) -> Any:
+        """Return whether lower bounds of the margin show that it holds."""
+        return (lower > 0.0) if self.strict else (lower >= 0.0)
+
+    def fails(self, upper: Any) -> Any:
+        """Return whether upper bounds of the margin show that it does not hold."""
+        return (upper <= 0.0) if self.strict else (upper < 0.0)
+
+
+def specification_of(
+    argument: str, given: Any, begin: float, sign: float = 1.0
+) -> Specification:
+    """Read an argument of `verify`: a text, or a function of signals."""
+    when = f"from t = {begin:.9g} on" if argument == "by" else argument
+    if callable(given):
+        return Specification(
+            f"{when} the function's condition", given, sign > 0.0, begin, sign
+        )
+    if not isinstance(given, str):
+        raise ArgumentError(f"{argument} = {brief(given)}: is no text. {GRAMMAR}")
+    try:
+        body = ast.parse(given.strip(), mode="eval").body
+    except SyntaxError:
+        raise ArgumentError(
+            f"{argument} = '{given}': is no formula. {GRAMMAR}"
+        ) from None
+    terms = body.values if isinstance(body, ast.BoolOp) else [body]
+    is_and = not isinstance(body, ast.BoolOp) or isinstance(body.op, ast.And)
+    if not (is_and and all(isinstance(term, ast.Compare) for term in terms)):
+        raise ArgumentError(f"{argument} = '{given}': is no comparison. {GRAMMAR}")
+    pairs, kinds = [], set()
+    for term in terms:
+        sides = [term.left, *term.comparators]  # type: ignore[attr-defined]
+        for left, kind, right in zip(sides, term.ops, sides[1:], strict=False):  # type: ignore[attr-defined]
+            if not isinstance(kind, ast.Lt | ast.LtE | ast.Gt | ast.GtE):
+                raise ArgumentError(
+                    f"{argument} = '{given}': compares by other than <, <=, > and >=. {GRAMMAR}"
+                )
+            kinds.add(isinstance(kind, ast.Lt | ast.Gt))
+            is_less = isinstance(kind, ast.Lt | ast.LtE)
+            pairs.append((left, right) if is_less else (right, left))
+    reader = _Reader(f"{argument} = '{given}'")
+    functions = [(reader.read(low), reader.read(high)) for low, high in pairs]
+    if len(kinds) > 1:
+        raise ArgumentError(
+            f"{argument} = '{given}': has both < and <=. Give one kind of comparison"
+        )
+
+    def margin(s: Any) -> Any:
+        return reduce(np.minimum, (high(s) - low(s) for low, high in functions))
+
+    # what must never hold fails where it holds, bounds included or not
+    strict = kinds == {True} if sign > 0.0 else kinds == {False}
+    return Specification(f"{when} {given.strip()}", margin, strict, begin, sign)
+
+
+class _Reader:
+    """Reader of a formula as a function of signals; nothing of it is run by Python."""
+
+    def __init__(self, where: str):
+        self.where = where
+
+    def read(self, node: ast.expr) -> Callable[[Any], Any]:
+        """Return a formula as a function of signals."""
+        match node:
+            case ast.Constant(value=int() | float() as value) if value is not True:
+                return lambda s: float(value)
+            case ast.Name(id=name):
+                return lambda s: NAMES["pi"] if name == "pi" else getattr(s, name)
+            case ast.Subscript(
+                value=ast.Name(id=name), slice=ast.Constant(value=int() as k)
+            ):
+                return lambda s: getattr(s, name)[k]
+            case ast.BinOp(left=a, op=op, right=b) if type(op) in OPERATORS:
+                return self.call(OPERATORS[type(op)], [a, b])
+            case ast.UnaryOp(operand=a, op=op) if type(op) in OPERATORS:
+                return self.call(OPERATORS[type(op)], [a])
+            case ast.Call(
+                func=ast.Name(id=name)
+                | ast.Attribute(value=ast.Name(id="np"), attr=name),
+                args=parts,
+                keywords=[],
+            ) if callable(function := FUNCTIONS.get(name)) and len(parts) == getattr(
+                function, "nin", 1
+            ):
+                return self.call(function, parts)
+        raise ArgumentError(
+            f"{self.where}: '{ast.unparse(node)}' is not read. {GRAMMAR}"
+        )
+
+    def call(
+        self, function: Callable[..., Any], parts: list[ast.expr]
+    ) -> Callable[[Any], Any]:
+        """Return a function of formulas."""
+        functions = [self.read(part) for part in parts]
+        return lambda s: function(*(of(s) for of in functions))
+
+
+def named(labels: list[str], values: Any, signals: dict[str, Any]) -> dict[str, Any]:
+    """Return signals with those of labels such as x[0] and x[1], an array, or y[0], a number."""
+    ports: dict[str, list[Any]] = {}
+    for label, value in zip(labels, values, strict=True):
+        name = label.rpartition("[")[0] if label.endswith("]") else label
+        ports.setdefault(name, []).append(value)
+    for name, of in ports.items():
+        array = np.empty(len(of), dtype=object)
+        array[:] = of
+        signals.setdefault(name, of[0] if len(of) == 1 else array)
+    return signals

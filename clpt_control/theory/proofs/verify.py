@@ -1,0 +1,363 @@
+"""A verdict on a specification of runs: proved by boxes, refuted by a run, or open.
+
+    proved    the boxes of the margin, at times and over the intervals between, have one sign
+    refuted   a run has the other sign at a time, and so has the box around that run
+
+The margin is an output of the diagram: boxes, machine code and runs read one equation.  Pieces of
+the set are halved only where the margin is undecided.  A run that violates is searched for at
+corners of the set, at random members, and by descent of the least margin.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from functools import partial
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import control
+import numpy as np
+
+from ...base.arguments import Count, Seed, brief, numbers, public
+from ...base.errors import ArgumentError
+from ...engine.enclosure.sets import Enclosure
+from ...simulation.enclosures import boxes, is_pair, varied_by
+from ...simulation.integrate import simulate
+from ...simulation.requests import as_diagram
+from ..algebra.texts import cut
+from .conclusions import Judged
+from .specification import Specification, named, specification_of
+from .statements import Statement, said
+from .steps import Step
+from .violating_run import Members, Search
+
+if TYPE_CHECKING:
+    import xarray
+
+    from ...paper.scenario.experiment import Scenario
+
+TIMES = 100  # intervals of a run that gives fewer times
+HOLDS = "holds on every run"
+
+
+class RunCondition(NamedTuple):
+    """A condition of a verdict on runs, and its sentence."""
+
+    name: str
+    of: str
+
+    def __str__(self) -> str:
+        return self.of
+
+
+@dataclass(frozen=True)
+class RunVerdict(Judged):
+    """Verdict on a specification of runs.
+
+    Attributes
+    ----------
+    status : str
+        ``"proved"``: of every run; ``"refuted"``: `run` violates it, so does the box around this
+        run; ``"open"``: neither is known.
+    conclusion, conditions, sentence, steps
+        As of the verdicts of `lyapunov`.
+    run : xarray.Dataset or None
+        The run that violates the specification, or the closest one found.
+    time, margin : float or None
+        Where the margin of that run is least; above 0 it holds.
+    tube : xarray.Dataset or None
+        Boxes of the set, as `enclose` returns them.
+    member : dict
+        ``inputs``, ``initial_state`` and ``params`` of `run`.
+    sure, possible : float or None
+        Of `by`: from when on all runs are in the target, and from when on one may be.
+    """
+
+    run: "xarray.Dataset | None" = field(default=None, compare=False)
+    time: float | None = None
+    margin: float | None = None
+    tube: "xarray.Dataset | None" = field(default=None, compare=False)
+    member: Mapping[str, Any] = field(default_factory=dict, compare=False)
+    sure: float | None = None
+    possible: float | None = None
+
+    def _shown(self, most: int) -> str:
+        return cut(self.claim, most)
+
+    @property
+    def statement(self) -> Statement:
+        """The sentence as a statement."""
+        return said("{}", self.sentence)
+
+    def __repr__(self) -> str:
+        return f"<RunVerdict {self.status}: {self.sentence}>"
+
+
+def _rows(spec: Specification, times: np.ndarray) -> slice:
+    return slice(int(times.searchsorted(spec.begin)), None)
+
+
+def _bounds(piece: Any, spec: Specification, column: int, times: np.ndarray) -> tuple:
+    """Return lower and upper bounds of a margin at its times, and lower ones over intervals."""
+    rows = _rows(spec, times)
+    at, over = piece[:, 0, rows, column], piece[:, 1, rows, column]
+    return at[0], at[1], over[0, 1:]
+
+
+@public
+def verify(
+    system: "Scenario | control.InputOutputSystem",
+    timepts: Any = None,
+    inputs: Any = None,
+    initial_state: Any = None,
+    params: Mapping[str, Any] | None = None,
+    *,
+    always: str | Callable[[Any], Any] | None = None,
+    never: str | Callable[[Any], Any] | None = None,
+    by: tuple[float, str | Callable[[Any], Any]] | None = None,
+    within: float | None = None,
+    pieces: Count = 16,
+    seed: Seed = 0,
+) -> RunVerdict:
+    """Judge a specification of all runs from a set: proved, refuted by a run, or open.
+
+    Parameters
+    ----------
+    system, timepts, inputs, initial_state, params
+        As of `enclose`: a pair ``(lower, upper)`` in place of a number is an interval. A run from
+        one time to another is seen at 100 times between, unless inputs have samples.
+    always : str or callable, optional
+        What holds at all times: ``"level < 0.9"``, ``"x > 0 and hypot(x, y) < 2"``, of the names
+        of outputs and states, and t; or a function of these signals that is above 0 where it
+        holds, ``lambda s: 0.9 - s.level``, in operators and functions of NumPy.
+    never : str or callable, optional
+        What holds at no time.
+    by : tuple, optional
+        A time, and what holds from then on to the end: ``(60, "hypot(x - 10, y - 5) < 2")``.
+    within : float, optional
+        Part of each parameter's number by which it may differ, 0.1 for 10 %. Parameters in
+        `params` are as given there.
+    pieces : int, optional
+        Into how many pieces the set is divided at most, where it is undecided.
+    seed : int, optional
+        Of the members that are tried at random.
+
+    Returns
+    -------
+    RunVerdict
+        `status`, `conclusion`, `conditions`, `sentence` and `steps` as of `lyapunov`; `run`, the
+        run that violates it or comes closest, ``verdict.run.clpt.plot()``; `tube`, the boxes.
+
+    Raises
+    ------
+    ArgumentError
+        If a specification is no comparison of signals, jumps, or asks for a time that is none.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> tank = clpt.Block("tank", update=lambda t, x, u, p: {"level": p.q - p.k * x.level},
+    ...     states={"level": 1}, parameters={"q": 0.8, "k": 1.0})
+    >>> clpt.verify(tank, [0, 5], params={"tank.k": (0.9, 1.1)}, always="level < 0.9").status
+    'proved'
+    >>> verdict = clpt.verify(tank, [0, 5], within=0.1, always="level < 0.9")
+    >>> verdict.status, float(verdict.run["level"][-1]) > 0.9
+    ('refuted', True)
+    """
+    times, specs = _read(system, timepts, inputs, always, never, by)
+    still: list[str] = []
+    if within is not None:
+        params, still = varied_by(system, within, params or {})
+    given = {"inputs": inputs, "initial_state": initial_state, "params": params}
+
+    def columns(spec: Specification) -> Callable[..., Any]:
+        def margin(t: Any, *groups: Any) -> Any:
+            signals: dict[str, Any] = {}
+            for labels, values in groups:
+                named(labels, values, signals)
+            return spec.of(signals | {"t": t})
+
+        return margin
+
+    margins = {f"margin of {spec.claim}": columns(spec) for spec in specs}
+
+    def undecided(piece: Enclosure) -> bool:
+        for k, spec in enumerate(specs):
+            low, high, over = _bounds(piece.bounds, spec, k - len(specs), piece.times)
+            if np.any(spec.fails(high)):
+                return False  # of a part that is refuted by any of its runs
+            if not (np.all(spec.holds(low)) and np.all(spec.holds(over))):
+                return True
+        return False
+
+    # 1. boxes of the whole set: bad arguments are named here
+    tube = boxes(system, times, **given, margins=margins)
+    proved = [
+        _is_proved(spec, name, tube) for name, spec in zip(margins, specs, strict=True)
+    ]
+    # 2. a run that violates
+    search, refuted = None, None
+    if not all(proved):
+        members = Members(given)
+        search = Search(partial(simulate, system, times), specs, members)
+        search(np.random.default_rng(seed))
+        refuted = _confirmed(
+            search, partial(boxes, system, times, margins=margins), specs
+        )
+    # 3. pieces
+    if not all(proved) and refuted is None and pieces > 1:
+        tube = boxes(
+            system, times, **given, margins=margins, pieces=pieces, undecided=undecided
+        )
+        proved = [
+            _is_proved(s, name, tube) for name, s in zip(margins, specs, strict=True)
+        ]
+    return _verdict(specs, [*margins], proved, tube, search, refuted, still)
+
+
+def _read(
+    system: Any, timepts: Any, inputs: Any, always: Any, never: Any, by: Any
+) -> tuple[Any, list[Specification]]:
+    """Return times, with some between, and specifications."""
+    begin = -np.inf
+    given = [("always", always, begin, 1.0), ("never", never, begin, -1.0)]
+    if by is not None:
+        if not is_pair(by) or isinstance(by[0], str) or np.ndim(by[0]):
+            raise ArgumentError(
+                f"by = {brief(by)}: is no pair of a time and what holds then"
+            )
+        given.append(("by", by[1], float(by[0]), 1.0))
+    specs = [
+        specification_of(n, v, t, sign) for n, v, t, sign in given if v is not None
+    ]
+    if not specs:
+        raise ArgumentError("verify: has no specification. Give always=, never= or by=")
+    times = timepts if timepts is None else numbers("timepts", timepts)
+    if times is not None and _are_held(inputs, len(times)):
+        dt = as_diagram(system)[0].dt
+        span, count = float(times[-1] - times[0]), max(TIMES, len(times))
+        extra = times[0] + span * np.linspace(0.0, 1.0, count + 1)
+        if dt:
+            extra = times[0] + dt * np.arange(round(span / dt) + 1)
+        elif by is not None and times[0] <= by[0] <= times[-1]:
+            times = np.append(times, by[0])
+        far = np.min(np.abs(extra[:, None] - times), axis=1) > 1e-9 * span
+        times = np.unique(np.append(times, extra[far]))
+    if by is not None and times is not None and by[0] not in numbers("timepts", times):
+        raise ArgumentError(
+            f"by: {by[0]:.9g} is no time of the run. Give a time of `timepts`"
+        )
+    return times, specs
+
+
+def _are_held(inputs: Any, count: int) -> bool:
+    """Return whether no input has a sample for each of some times."""
+    entries = inputs.values() if isinstance(inputs, Mapping) else inputs
+    if inputs is None or (np.ndim(inputs) == 0 and not isinstance(inputs, Mapping)):
+        return True
+    ends = [one[0] if is_pair(one) else one for one in entries]
+    are_rows = not isinstance(inputs, Mapping) and len(ends) == count
+    return not are_rows and all(np.ndim(end) == 0 for end in ends)
+
+
+def _is_proved(spec: Specification, name: str, tube: "xarray.Dataset") -> bool:
+    """Return whether all boxes of a margin have its sign."""
+    of = tube.sel(name=name)
+    rows = _rows(spec, tube.time.values)
+    low, over = of.lower.values[rows], of.over_lower.values[rows][1:]
+    return bool(len(low) and np.all(spec.holds(low)) and np.all(spec.holds(over)))
+
+
+def _confirmed(
+    search: Search, box: Callable[..., Any], specs: list[Specification]
+) -> tuple[Specification, float] | None:
+    """Return the specification that boxes around the best run violate, and the first time."""
+    if search.best is None or search.best[0] > 0.0:
+        return None
+    tube = box(**search.members.member(search.best[2]))
+    for k, spec in enumerate(specs):
+        rows = _rows(spec, tube.time.values)
+        fails = spec.fails(tube.upper.values[rows, k - len(specs)])
+        if np.any(fails):
+            return spec, float(tube.time.values[rows][np.argmax(fails)])
+    return None
+
+
+def _verdict(
+    specs: list[Specification],
+    names: list[str],
+    proved: list[bool],
+    tube: "xarray.Dataset",
+    search: Search | None,
+    refuted: tuple[Specification, float] | None,
+    still: list[str],
+) -> RunVerdict:
+    """Return the verdict with its sentence."""
+    texts = " and ".join(spec.claim for spec in specs)
+    times = tube.time.values
+    steps = [
+        Step(f"boxes show {spec.claim}", is_shown, "enclosed")
+        for spec, is_shown in zip(specs, proved, strict=True)
+    ]
+    more: dict[str, Any] = {"tube": tube}
+    if search is not None and search.best is not None:
+        least, run, shares, at = search.best
+        more |= {"run": run, "time": at, "margin": least}
+        more["member"] = search.members.member(shares)
+        text = f"the least margin of {search.runs} runs is {least:.6g}, at t = {at:.9g}"
+        steps.append(Step(text, least > 0.0, "sampled", needed=False))
+    of_model = RunCondition("recorded", "of the recorded equations in exact arithmetic")
+    until = RunCondition("times", f"for t from {times[0]:.9g} to {times[-1]:.9g}")
+    conditions: tuple[Any, ...] = (until, of_model)
+    if "Filippov" in tube.message:
+        conditions += (RunCondition("jumps", "runs of Filippov where rates jump"),)
+    if still:
+        conditions += (RunCondition("values", f"{', '.join(still)} as given"),)
+    if refuted is not None:
+        spec, more["time"] = refuted
+        at = more["time"]
+        steps.append(
+            Step(
+                f"the box around that run is outside of {spec.claim}",
+                True,
+                "counterexample",
+            )
+        )
+        claim = f"{spec.claim} fails at t = {at:.9g} of `run`"
+        return RunVerdict(
+            "refuted", claim, conditions=conditions, steps=tuple(steps), **more
+        )
+    event = specs[-1] if np.isfinite(specs[-1].begin) else None
+    if event is not None:
+        more |= _event(event, tube.sel(name=names[-1]))
+    if all(proved):
+        return RunVerdict(
+            "proved",
+            f"{texts} {HOLDS}",
+            conclusion=HOLDS,
+            conditions=conditions,
+            steps=tuple(steps),
+            **more,
+        )
+    spec = specs[proved.index(False)]
+    of = tube.sel(name=names[proved.index(False)])
+    rows = _rows(spec, times)
+    unknown = ~(spec.holds(of.lower.values) & spec.holds(of.over_lower.values))[rows]
+    at = times[rows][np.argmax(unknown)] if unknown.any() else times[-1]
+    claim = f"{spec.claim} is not decided from t = {at:.9g} on"
+    if "the boxes end there" in tube.message:
+        claim += (
+            ", as"
+            + tube.message.partition("the boxes end there, as")[2].partition(";")[0]
+        )
+    return RunVerdict("open", claim, steps=tuple(steps), **more)
+
+
+def _event(spec: Specification, of: "xarray.Dataset") -> dict[str, Any]:
+    """Return from when on all runs are in a target for good, and from when on one may be."""
+    times, low = of.time.values, of.lower.values
+    over = np.append(spec.holds(of.over_lower.values[1:]), True)
+    later = np.logical_and.accumulate((over & spec.holds(low))[::-1])[::-1]
+    is_possible = ~spec.fails(of.over_upper.values[1:])
+    return {
+        "sure": float(times[np.argmax(later)]) if later.any() else None,
+        "possible": float(times[np.argmax(is_possible)]) if is_possible.any() else None,
+    }

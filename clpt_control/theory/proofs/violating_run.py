@@ -1,0 +1,129 @@
+"""Search for a run that violates a specification: corners of the sets, random members, descent."""
+
+from collections.abc import Callable, Iterator, Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ...base.arguments import numbers
+from ...base.errors import SimulationError
+from ...simulation.enclosures import end_of, holds_pair, is_labelled, is_pair
+from .specification import Specification, named
+
+if TYPE_CHECKING:
+    import xarray
+
+CORNERS = 32
+MOST_RUNS = 80
+
+
+class Members:
+    """Members of the sets of inputs, states and parameters, by shares from 0 to 1 of each pair."""
+
+    def __init__(self, given: Mapping[str, Any]):
+        self.given = given
+        self.count = 0
+        self.member(np.zeros(0))
+
+    def member(self, shares: np.ndarray) -> dict[str, Any]:
+        """Return arguments of `simulate`; shares that are missing are 0."""
+        left = [*shares]
+        self.count = 0
+
+        def share() -> float:
+            self.count += 1
+            return left.pop(0) if left else 0.0
+
+        return {
+            name: self._of(name, value, share) for name, value in self.given.items()
+        }
+
+    def _of(self, name: str, value: Any, share: Callable[[], float]) -> Any:
+        if is_pair(value):
+            if any(map(is_labelled, value)):  # an end, whole, with its labels
+                return end_of(name, value, bool(share() > 0.5))
+            low, high = (numbers(name, end) for end in value)
+            at = np.array([share() for _ in range(low.size)]).reshape(low.shape)
+            return np.clip(low + at * (high - low), low, high)[()]
+        if isinstance(value, list):
+            return [self._of(name, one, share) for one in value]
+        if isinstance(value, Mapping):
+            return {key: self._of(name, one, share) for key, one in value.items()}
+        # pairs within tables and other containers
+        return end_of(name, value, bool(share() > 0.5)) if holds_pair(value) else value
+
+    def corners(self, rng: np.random.Generator) -> Iterator[np.ndarray]:
+        """Yield the middle, corners, and random members."""
+        yield np.full(self.count, 0.5)
+        if self.count:
+            codes = np.arange(2 ** min(self.count, 5))[:, None] >> np.arange(self.count)
+            corners = (codes & 1).astype(float)
+            if self.count > 5:
+                corners = rng.integers(0, 2, (CORNERS, self.count)).astype(float)
+            yield from corners[:CORNERS]
+            yield from rng.uniform(0.0, 1.0, (8, self.count))
+
+
+class Search:
+    """Search for a run with a margin below 0."""
+
+    def __init__(
+        self, run: Callable[..., Any], specs: list[Specification], members: Members
+    ):
+        self.run, self.specs, self.members = run, specs, members
+        self.best: tuple[float, Any, Any, float] | None = None
+        self.runs = 0
+
+    def at(self, shares: np.ndarray) -> float:
+        """Return the least margin of the run of a member; NaN margins are not seen."""
+        member = self.members.member(shares)
+        self.runs += 1
+        try:
+            run = self.run(**member)
+        except SimulationError:
+            return np.inf
+        margins = [margins_along(spec, run) for spec in self.specs]
+        lows = [np.nanmin(m, initial=np.inf) for m in margins]
+        least = float(min(lows))
+        if self.best is None or least < self.best[0]:
+            k = (
+                int(np.nanargmin(margins[int(np.argmin(lows))]))
+                if np.isfinite(least)
+                else 0
+            )
+            self.best = least, run, shares, float(run.time[k])
+        return least
+
+    def __call__(self, rng: np.random.Generator) -> None:
+        """Try corners and random members, then go down from the best, share by share."""
+        for shares in self.members.corners(rng):
+            if self.at(shares) < 0.0:
+                return
+        step = 0.5
+        while self.members.count and step > 0.01 and self.runs < MOST_RUNS:
+            assert self.best is not None
+            least, _, at, _ = self.best
+            for k in rng.permutation(self.members.count):
+                for sign in (-1.0, 1.0):
+                    moved = at.copy()
+                    moved[k] = np.clip(moved[k] + sign * step, 0.0, 1.0)
+                    if moved[k] != at[k] and self.at(moved) < 0.0:
+                        return
+            if self.best[0] >= least:
+                step *= 0.5
+
+
+def margins_along(spec: Specification, run: "xarray.Dataset") -> np.ndarray:
+    """Return the margin of a run along its times, infinite before the specification begins."""
+    time = run.time.values
+    signals: dict[str, Any] = {}
+    for name, values in run.data_vars.items():
+        if name != "states":
+            columns = values.transpose("time", ...).values.reshape(len(time), -1).T
+            named([f"{name}[{k}]" for k in range(len(columns))], columns, signals)
+    if "states" in run:
+        named(run.state.values.tolist(), run.states.values.T, signals)
+    value = np.broadcast_to(
+        np.asarray(spec.of({**signals, "t": time}), float), time.shape
+    )
+    return np.where(time >= spec.begin, value, np.inf)

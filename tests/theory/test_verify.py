@@ -1,0 +1,182 @@
+"""Specifications of runs with answers in closed form: proved, refuted by a run, or open."""
+
+import itertools
+import math
+
+import control
+import numpy as np
+import pytest
+
+import clpt_control as clpt
+
+K, Q, START = (0.9, 1.2), (0.7, 0.8), (0.0, 0.1)
+
+
+def tank(**more):
+    return clpt.Block(
+        "tank",
+        update=lambda t, x, u, p: {"level": p.q - p.k * x.level},
+        states={"level": 1},
+        parameters={"q": 0.75, "k": 1.0},
+        **more,
+    )
+
+
+def level(k, q, start, t):
+    return start * math.exp(-k * t) + q / k * (1 - math.exp(-k * t))
+
+
+def judged(end=4.0, **specification):
+    params = {"tank.k": K, "tank.q": Q}
+    return clpt.verify(tank(), [0, end], None, [START], params, **specification)
+
+
+HIGHEST = level(K[0], Q[1], START[1], 4.0)  # it rises to 8 / 9
+LOWEST = level(K[1], Q[0], START[0], 4.0)
+
+
+@pytest.mark.parametrize("form", ["text", "function", "never", "chain"])
+def test_a_bound_of_a_level_is_decided_to_either_side(form):
+    def specification(most):
+        return {
+            "text": {"always": f"level < {most!r}"},
+            "function": {"always": lambda s: most - s.level},
+            "never": {"never": f"level >= {most!r}"},
+            "chain": {"always": f"-1 < level < {most!r}"},
+        }[form]
+
+    assert judged(**specification(HIGHEST + 0.02)).status == "proved"
+    assert judged(**specification(HIGHEST + 1e-9), pieces=1).status == "open"
+    margin = 1e-9
+    refuted = judged(**specification(HIGHEST - margin))
+    assert refuted.status == "refuted"
+    # the run that is returned violates it, and is a member of the set
+    assert float(refuted.run["level"].max()) > HIGHEST - 2 * margin
+    member = {name: float(value) for name, value in refuted.member["params"].items()}
+    assert K[0] <= member["tank.k"] <= K[1]
+    assert Q[0] <= member["tank.q"] <= Q[1]
+    assert START[0] <= refuted.member["initial_state"][0] <= START[1]
+
+
+def test_a_target_by_a_time():
+    lowest = level(K[1], Q[0], START[0], 3.0)
+    verdict = judged(by=(3.0, f"level > {lowest - 0.06!r}"))
+    assert verdict.status == "proved"
+    assert level(K[1], Q[0], START[0], verdict.sure) > lowest - 0.06
+    assert level(K[0], Q[1], START[1], verdict.possible) < lowest
+    assert judged(by=(3.0, f"level > {lowest + 1e-9!r}")).status == "refuted"
+
+
+def test_two_specifications_are_judged_together():
+    both = {"always": "level < 0.95", "by": (2.0, "level > 0.4")}
+    assert judged(**both).status == "proved"
+    assert judged(**{**both, "never": "level > 0.5"}).status == "refuted"
+
+
+def test_every_parameter_within_a_part():
+    most = level(0.9 * 1.0, 1.1 * 0.75, 0.0, 4.0)
+    verdict = clpt.verify(tank(), [0, 4], within=0.1, always=f"level < {most + 0.02!r}")
+    assert verdict.status == "proved"
+    verdict = clpt.verify(tank(), [0, 4], within=0.1, always=f"level < {most - 1e-9!r}")
+    assert verdict.status == "refuted"
+    assert verdict.conclusion == ""
+    assert "level" in verdict.sentence
+
+
+def test_what_a_run_does_between_its_times_counts():
+    swing = control.nlsys(
+        lambda t, x, u, p: [x[1], -x[0]], None, states=["a", "b"], name="swing"
+    )
+    for most, statuses in ((1.001, ["proved"]), (0.999, ["refuted"])):
+        verdict = clpt.verify(swing, [0, 3], None, [0.0, 1.0], always=f"a < {most}")
+        assert verdict.status in statuses
+    # above the samples and below the peak
+    verdict = clpt.verify(swing, [0, 3], None, [0.0, 1.0], always="a < 0.9999999")
+    assert verdict.status != "proved"
+
+
+def test_an_input_may_change_at_any_time():
+    integrator = clpt.Block(
+        "b", update=lambda t, x, u, p: u.d - x.x, states={"x": 1}, inputs={"d": 1}
+    )
+    end = 1 - math.exp(-2.0)
+    arguments = integrator, [0, 2], {"d": (-1, 1)}, [0.0]
+    assert clpt.verify(*arguments, always=f"abs(x) < {end + 0.02}").status == "proved"
+    assert clpt.verify(*arguments, always=f"abs(x) < {end - 1e-9}").status == "refuted"
+
+
+def test_pieces_are_spent_until_it_is_decided():
+    def rates(t, x, u, p):
+        return {"a": x.w, "w": -np.sin(x.a) - x.w}
+
+    pendulum = clpt.Block("p", update=rates, states={"a": 1, "w": 1})
+    start = {"a": (-0.9, 0.9), "w": (-0.9, 0.9)}
+    one, many = (
+        clpt.verify(
+            pendulum, [0, 6], None, start, by=(5.5, "hypot(a, w) < 0.19"), pieces=n
+        )
+        for n in (1, 16)
+    )
+    assert one.status == "open"
+    assert "not decided" in one.sentence
+    assert one.run is not None
+    assert many.status == "proved"
+
+
+def test_discrete_time_and_outputs_by_name():
+    account = clpt.Block(
+        "account",
+        update=lambda t, x, u, p: 0.5 * x.x + u.d,
+        output=lambda t, x, u, p: {"pair": [x.x[0], -x.x[0]], "square": x.x[0] ** 2},
+        states={"x": 1},
+        inputs={"d": 1},
+        outputs={"pair": 2, "square": 1},
+        dt=1.0,
+    )
+    arguments = account, [0, 3], {"d": (-1, 1)}, [0.0]  # |x| = 1, 1.5, 1.75
+    assert clpt.verify(*arguments, always="pair[1] > -1.7500001").status == "proved"
+    assert clpt.verify(*arguments, always="pair[0] < 1.7499").status == "refuted"
+    assert clpt.verify(*arguments, always="square <= 3.0626").status == "proved"
+
+
+BAD = {
+    "levl < 1": "Did you mean 'level'?",
+    "level": "is no comparison",
+    "level == 1": "other than <",
+    "level < 1 or level > 2": "is no comparison",
+    "import os": "is no formula",
+    "__import__('os').getpid() < 1": "is not read",
+    "floor(level) < 1": "jumps",
+    "level < 1 and level <= 2": "both < and <=",
+}
+
+
+@pytest.mark.parametrize("text", BAD)
+def test_a_bad_specification_gets_a_sentence(text):
+    with pytest.raises(clpt.ArgumentError, match=BAD[text].replace("?", r"\?")):
+        judged(always=text)
+
+
+@pytest.mark.parametrize(
+    ("specification", "why"),
+    [
+        ({}, "has no specification"),
+        ({"by": (9.0, "level < 1")}, "is no time of the run"),
+        ({"by": "level < 1"}, "must be"),
+        ({"always": 3.0}, "must be a text, a function"),
+        ({"always": "level < 1", "within": 2.0}, "between 0 and 1"),
+        ({"always": lambda s: s.level < 1}, "jumps"),
+        ({"always": lambda s: math.sin(s.level)}, "is no function of the signals"),
+    ],
+)
+def test_a_bad_argument_gets_a_sentence(specification, why):
+    with pytest.raises(clpt.ArgumentError, match=why):
+        judged(**specification)
+
+
+def test_members_of_ends_with_labels_are_ends():
+    verdict = clpt.verify(
+        tank(), [0, 4], None, ({"level": 0.0}, {"level": 0.1}), always="level < 0.7"
+    )
+    assert verdict.status == "refuted"
+    assert {*itertools.chain(verdict.member["initial_state"].values())} <= {0.0, 0.1}
