@@ -6,6 +6,7 @@ import math
 import mpmath
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 import clpt_control as clpt
 
@@ -246,3 +247,24 @@ def test_the_laub_loomis_benchmark_is_verified():
         tube = clpt.enclose(block(rates, 7), np.linspace(0, 20, 81), None, ends)
         assert tube.status == "finished"
         assert float(tube.over_upper.sel(name="x[3]").max()) < most
+
+
+def test_a_set_that_begins_at_the_root_of_0():
+    def rates(t, x, u, p):
+        far = np.sqrt(x.x[0] ** 2 + x.x[1] ** 2)
+        return [p.k - far, p.k - 0.5 * far]
+
+    model = block(rates, 2, parameters={"k": 1.0})
+    tube = clpt.enclose(model, [0, 2], None, [0.0, 0.0], {"model.k": (0.99, 1.01)})
+    assert tube.status == "finished"
+    for k in (0.99, 1.0, 1.01):
+        run = solve_ivp(
+            lambda t, x, k=k: [k - np.hypot(*x), k - 0.5 * np.hypot(*x)],
+            (0, 2),
+            [0.0, 0.0],
+            rtol=1e-11,
+            atol=1e-13,
+        )
+        end = run.y[:, -1]
+        assert np.all((tube.lower.values[1] <= end) & (end <= tube.upper.values[1]))
+    assert np.all((tube.upper - tube.lower).values[1] < 0.05)

@@ -249,7 +249,8 @@ class Enclosure:
             return
         try:
             self._step(end)
-            self.short = SHORTEST * self.span
+            if self.h > self.short:  # no longer beside a switch
+                self.short = SHORTEST * self.span
         except Undecided as error:
             # beside a switch coefficients may be too large
             if not (self._is_beside or isinstance(error, Switching)):
