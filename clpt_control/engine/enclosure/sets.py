@@ -391,8 +391,17 @@ class Enclosure:
                     box = within(box, reach)
             self._write(1, rows, inside, x, G, box)
         # 2. the set
-        self._put(*flow(moved(t, new)))
-        self.walls = hull(moved(t, new)) if self.is_noisy else None
+        centre, G = flow(moved(t, new))
+        walls = hull(moved(t, new)) if self.is_noisy else None
+        if (
+            walls is not None
+        ):  # a state far beyond its walls is an interval between them
+            is_far = walls.r < 0.5 * self._box(centre, G).r
+            ends = zip(walls, centre, strict=True)
+            centre = Ball(*(np.where(is_far, wall, of) for wall, of in ends))
+            G.c[is_far] = G.r[is_far] = 0.0
+        self._put(centre, G)
+        self.walls = walls
         self.h, self.t = new - t, new
         self.steps += 1
 
