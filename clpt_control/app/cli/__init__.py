@@ -83,7 +83,7 @@ def application() -> "typer.Typer":
     import typer
 
     from .estimate import estimate
-    from .laws_and_proofs import laws, prove
+    from .laws_and_proofs import laws, prove, verify
     from .measurements import fit
     from .printing import Command, HelpPage, clpt, help_of
     from .replay import replay, watch
@@ -100,7 +100,7 @@ def application() -> "typer.Typer":
     app.callback(help=help_of(clpt))(clpt)
     groups = {  # in the order of a user's day
         "Simulation": (paper, init, run, ensemble, report, export),
-        "Adaptive laws": (laws, prove, excitation, tune),
+        "Adaptive laws": (laws, prove, verify, excitation, tune),
         "Ocean data": (fit, estimate, replay, watch),
     }
     for title, commands in groups.items():

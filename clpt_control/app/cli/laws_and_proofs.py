@@ -1,4 +1,4 @@
-"""`clpt laws`: their table; `clpt prove`: theorems and laws."""
+"""`clpt laws`: their table; `clpt prove`: theorems and laws; `clpt verify`: all runs of a loop."""
 
 import os
 from dataclasses import asdict
@@ -8,7 +8,7 @@ from typing import Any
 from ...base.errors import ClptError, SimulationError
 from ...base.html import Result
 from ...base.progress import interrupt, progress_bar
-from .printing import Json, Report, arg, finish, law_names, opt
+from .printing import Json, Report, ScenarioFile, arg, finish, law_names, opt
 
 JUDGED = "status conclusion conclusions sentence claim conditions level bound for_every_N steps"
 OF_THEOREM = f"{JUDGED} printed assumptions corrected cited not_proved"
@@ -133,6 +133,62 @@ def prove(
             outcomes[statement] = statement.prove()
             report(len(outcomes))
     _print_outcomes(outcomes, as_json)
+
+
+def verify(
+    scenario: ScenarioFile,
+    always: str | None = opt("TEXT", "Holds at all times: 'hypot(e[0], e[1]) < 3'."),
+    never: str | None = opt("TEXT", "Holds at no time."),
+    by: str | None = opt(
+        "TIME:TEXT", "Holds from a time to the end: '20: hypot(e[0], e[1]) < 0.05'."
+    ),
+    flow: float = opt(
+        "SHARE", "Part by which each flow parameter may differ.", default=0.0
+    ),
+    until: float | None = opt("TIME", "End of the runs. Default: the scenario's."),
+    pieces: int = opt("COUNT", "Pieces of the set, at most.", default=1),
+    as_json: Json = False,
+) -> None:
+    """Judge a specification of all runs of a scenario: proved, refuted or open.
+
+    Example:
+        clpt verify mine.toml --always "hypot(e[0], e[1]) < 3" --flow 0.01 --until 5
+    """
+    import clpt_control as clpt
+
+    from ...paper.scenario.file import load_vehicle_scenario
+    from ...simulation.enclosures import varied_by
+
+    loaded = load_vehicle_scenario(scenario)
+    loop = clpt.closed_loop(loaded)
+    target: tuple[float, str] | None = None
+    if by is not None:
+        time, _, text = by.partition(":")
+        try:
+            target = float(time), text
+        except ValueError:
+            raise ClptError(f"--by {by}: has no time. Give TIME:TEXT") from None
+    params = {}
+    if flow:
+        varied, _ = varied_by(loop, flow, {})
+        params = {name: ends for name, ends in varied.items() if ".theta" in name}
+        if not params:
+            raise ClptError(f"--flow {flow}: the scenario has no flow parameters")
+    end = loaded.run.duration if until is None else until
+    verdict = clpt.verify(
+        *(loop, [0.0, end], None, None, params),
+        always=always,
+        never=never,
+        by=target,
+        pieces=pieces,
+    )
+    rows = [["yes" if s.holds else "NO", s.how, s.claim] for s in verdict.steps]
+    line = f"{verdict.status}: {verdict.sentence}"
+    fields = "status", "conclusion", "sentence", "claim", "time", "margin"
+    report = {field: getattr(verdict, field) for field in fields}
+    report["conditions"] = [f"{condition}" for condition in verdict.conditions]
+    result = Result("Specification", ["holds", "how", "claim"], rows, [line])
+    finish([result], report, as_json)
 
 
 def _print_outcomes(outcomes: dict[Any, Any], as_json: bool) -> None:

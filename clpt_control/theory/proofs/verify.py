@@ -21,6 +21,7 @@ from ...base.errors import ArgumentError
 from ...engine.enclosure.sets import Enclosure
 from ...simulation.enclosures import boxes, is_pair, varied_by
 from ...simulation.integrate import simulate
+from ...simulation.prepared_runs import prepare
 from ...simulation.requests import as_diagram
 from ..algebra.texts import cut
 from .conclusions import Judged
@@ -168,11 +169,14 @@ def verify(
         params, still = varied_by(system, within, params or {})
     given = {"inputs": inputs, "initial_state": initial_state, "params": params}
 
+    labels = list[list[str]]()  # of outputs and of states
+
     def columns(spec: Specification) -> Callable[..., Any]:
         def margin(t: Any, *groups: Any) -> Any:
             signals: dict[str, Any] = {}
-            for labels, values in groups:
-                named(labels, values, signals)
+            labels[:] = [of for of, _ in groups]
+            for of, values in groups:
+                named(of, values, signals)
             return spec.of(signals | {"t": t})
 
         return margin
@@ -197,7 +201,11 @@ def verify(
     search, refuted = None, None
     if not all(proved):
         members = Members(given)
-        search = Search(partial(simulate, system, times), specs, members)
+        run: Any = partial(simulate, system, times)
+        if not (diagram := as_diagram(system)[0]).dt:
+            at = tube.time.values if times is None else times
+            run = prepare(diagram, at, **members.member(np.zeros(0)))
+        search = Search(run, specs, members, tube.time.values, labels)
         search(np.random.default_rng(seed))
         refuted = _confirmed(
             search, partial(boxes, system, times, margins=margins), specs
@@ -210,7 +218,13 @@ def verify(
         proved = [
             _is_proved(s, name, tube) for name, s in zip(margins, specs, strict=True)
         ]
-    return _verdict(specs, [*margins], proved, tube, search, refuted, still)
+    found: dict[str, Any] = {"tube": tube}
+    if search is not None and search.best is not None:
+        least, shares, at = search.best
+        member = search.members.member(shares)
+        found |= {"time": at, "margin": least, "member": member}
+        found["run"] = simulate(system, times, **member)
+    return _verdict(specs, [*margins], proved, tube, search, refuted, still, found)
 
 
 def _read(
@@ -272,7 +286,7 @@ def _confirmed(
     """Return the specification that boxes around the best run violate, and the first time."""
     if search.best is None or search.best[0] > 0.0:
         return None
-    tube = box(**search.members.member(search.best[2]))
+    tube = box(**search.members.member(search.best[1]))
     for k, spec in enumerate(specs):
         rows = _rows(spec, tube.time.values)
         fails = spec.fails(tube.upper.values[rows, k - len(specs)])
@@ -289,6 +303,7 @@ def _verdict(
     search: Search | None,
     refuted: tuple[Specification, float] | None,
     still: list[str],
+    more: dict[str, Any],
 ) -> RunVerdict:
     """Return the verdict with its sentence."""
     texts = " and ".join(spec.claim for spec in specs)
@@ -297,11 +312,8 @@ def _verdict(
         Step(f"boxes show {spec.claim}", is_shown, "enclosed")
         for spec, is_shown in zip(specs, proved, strict=True)
     ]
-    more: dict[str, Any] = {"tube": tube}
     if search is not None and search.best is not None:
-        least, run, shares, at = search.best
-        more |= {"run": run, "time": at, "margin": least}
-        more["member"] = search.members.member(shares)
+        least, _, at = search.best
         text = f"the least margin of {search.runs} runs is {least:.6g}, at t = {at:.9g}"
         steps.append(Step(text, least > 0.0, "sampled", needed=False))
     of_model = RunCondition("recorded", "of the recorded equations in exact arithmetic")

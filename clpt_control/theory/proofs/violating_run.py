@@ -1,17 +1,15 @@
 """Search for a run that violates a specification: corners of the sets, random members, descent."""
 
-from collections.abc import Callable, Iterator, Mapping
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Any
 
 import numpy as np
 
 from ...base.arguments import numbers
 from ...base.errors import SimulationError
 from ...simulation.enclosures import end_of, holds_pair, is_labelled, is_pair
+from ...simulation.prepared_runs import Samples
 from .specification import Specification, named
-
-if TYPE_CHECKING:
-    import xarray
 
 CORNERS = 32
 MOST_RUNS = 80
@@ -68,10 +66,15 @@ class Search:
     """Search for a run with a margin below 0."""
 
     def __init__(
-        self, run: Callable[..., Any], specs: list[Specification], members: Members
+        self,
+        run: Callable[..., Any],
+        specs: list[Specification],
+        members: Members,
+        *of: Any,
     ):
-        self.run, self.specs, self.members = run, specs, members
-        self.best: tuple[float, Any, Any, float] | None = None
+        """Take a function that returns runs, and what `margins_along` takes of these."""
+        self.run, self.specs, self.members, self.of = run, specs, members, of
+        self.best: tuple[float, np.ndarray, float] | None = None
         self.runs = 0
 
     def at(self, shares: np.ndarray) -> float:
@@ -82,16 +85,12 @@ class Search:
             run = self.run(**member)
         except SimulationError:
             return np.inf
-        margins = [margins_along(spec, run) for spec in self.specs]
+        margins = [margins_along(spec, run, *self.of) for spec in self.specs]
         lows = [np.nanmin(m, initial=np.inf) for m in margins]
         least = float(min(lows))
         if self.best is None or least < self.best[0]:
-            k = (
-                int(np.nanargmin(margins[int(np.argmin(lows))]))
-                if np.isfinite(least)
-                else 0
-            )
-            self.best = least, run, shares, float(run.time[k])
+            row = np.nan_to_num(margins[int(np.argmin(lows))], nan=np.inf)
+            self.best = least, shares, float(self.of[0][int(np.argmin(row))])
         return least
 
     def __call__(self, rng: np.random.Generator) -> None:
@@ -102,7 +101,7 @@ class Search:
         step = 0.5
         while self.members.count and step > 0.01 and self.runs < MOST_RUNS:
             assert self.best is not None
-            least, _, at, _ = self.best
+            least, at, _ = self.best
             for k in rng.permutation(self.members.count):
                 for sign in (-1.0, 1.0):
                     moved = at.copy()
@@ -113,17 +112,23 @@ class Search:
                 step *= 0.5
 
 
-def margins_along(spec: Specification, run: "xarray.Dataset") -> np.ndarray:
-    """Return the margin of a run along its times, infinite before the specification begins."""
-    time = run.time.values
+def margins_along(
+    spec: Specification, run: Any, times: np.ndarray, labels: Sequence[list[str]]
+) -> np.ndarray:
+    """Return the margin of a run along its times, infinite before the specification begins.
+
+    A run has samples, and `labels` of its outputs and states; or, in discrete time, its Dataset.
+    """
     signals: dict[str, Any] = {}
-    for name, values in run.data_vars.items():
-        if name != "states":
-            columns = values.transpose("time", ...).values.reshape(len(time), -1).T
-            named([f"{name}[{k}]" for k in range(len(columns))], columns, signals)
-    if "states" in run:
+    if isinstance(run, Samples):
+        for of, values in zip(labels, (run.outputs, run.states), strict=True):
+            named(of, values.T, signals)
+    else:
+        for name, values in run.data_vars.items():
+            if name != "states":
+                columns = values.transpose("time", ...).values.reshape(len(times), -1).T
+                named([f"{name}[{k}]" for k in range(len(columns))], columns, signals)
         named(run.state.values.tolist(), run.states.values.T, signals)
-    value = np.broadcast_to(
-        np.asarray(spec.of({**signals, "t": time}), float), time.shape
-    )
-    return np.where(time >= spec.begin, value, np.inf)
+    value = spec.of({**signals, "t": times})
+    value = np.broadcast_to(np.asarray(value, float), times.shape)
+    return np.where(times >= spec.begin, value, np.inf)
