@@ -89,6 +89,12 @@ def within(box: Ball, other: Ball | None) -> Ball:
     return between(np.fmax(box.lower, other.lower), np.fmin(box.upper, other.upper))
 
 
+def around_both(box: Ball, x: Ball) -> Ball:
+    """Return a box around two."""
+    low, high = np.minimum(box.lower, x.lower), np.maximum(box.upper, x.upper)
+    return between(low, high)
+
+
 def middle(low: float, high: float) -> Interval:
     """Return centre and radius of one interval, those of `between`."""
     if low == high:

@@ -27,7 +27,17 @@ import numpy as np
 
 from ...base.progress import interrupt
 from . import balls
-from .balls import Ball, Switching, Undecided, around, between, exact, matrix, within
+from .balls import (
+    Ball,
+    Switching,
+    Undecided,
+    around,
+    around_both,
+    between,
+    exact,
+    matrix,
+    within,
+)
 from .curvature import bend, second_derivatives, with_tangents
 from .noise import REACH, InputNoise, moved_apart, sources, walls
 from .set_program import SetProgram
@@ -43,6 +53,7 @@ LARGER = 1.1  # the longest step after another one
 MOST_STEPS = 20_000
 SHORTER = 2.0**-5  # least step by series after one without
 FLAT = 2.0**-20  # error of a step by first derivatives, beside the radius of a box
+LOOSE = 2.0**-7  # error from which a step has walls
 NOISY = 2.0**-3  # wished growth of noise in a step
 NOISY_STEPS = 2.0**-8  # of a run: steps with noise that may grow more
 EMPTY = np.array([np.inf, -np.inf])[:, None, None, None]  # bounds of no number
@@ -196,7 +207,7 @@ class Enclosure:
         self.bounds[:, 0, now] = EMPTY[:, 0]
         if self.jumps and np.any(self.P.c[self.jumps]):
             try:
-                self._put(*self._image(self.leaps, exact(self.t), *self._set))
+                self._leap()
             except Undecided:
                 self.bounds[:, 1, now] = np.nan
                 raise
@@ -206,9 +217,11 @@ class Enclosure:
                 which, slice(now.start, stop), exact(self.t), *self._set, self.walls
             )
 
-    def _image(self, series: SetSeries, t: Ball, x: Ball, G: Ball) -> tuple[Ball, Ball]:
+    def _image(
+        self, series: SetSeries, t: Ball, x: Ball, G: Ball, hull: Ball | None
+    ) -> tuple[Ball, Ball]:
         """Return centre and generators of a function of the set, or its box where it switches."""
-        box = self._box(x, G)
+        box = around_both(within(self._box(x, G), hull), x)
         try:
             J = series.evaluate(t, box, self.P, noisy=True)[:, 0, 1:]
             y = series.evaluate(t, x, Ball(self.P.c, 0 * self.P.r))[:, 0, 0]
@@ -219,6 +232,12 @@ class Enclosure:
         rest = self.G[self.n :]
         G = Ball(np.vstack([G.c, rest]), np.vstack([G.r, 0 * rest]))
         return y, matrix(J[:, : self.N], G)
+
+    def _leap(self) -> None:
+        """Map the set by a jump, or from one time of discrete time to the next."""
+        t = exact(self.t)
+        plain = self._plain(self.leaps, t, self._hull)
+        self._put(*self._image(self.leaps, t, *self._set, self.walls), plain)
 
     def _plain(self, series: SetSeries, t: Ball, box: Ball) -> Ball:
         """Return values on a box, of both sides of switches, with noise."""
@@ -231,7 +250,7 @@ class Enclosure:
         box = within(self._box(x, G), hull)
         low, high = box.lower, box.upper
         if len(self.signals.results):
-            y = self._box(*self._image(self.signals, t, x, G))
+            y = self._box(*self._image(self.signals, t, x, G, hull))
             plain = self._plain(self.signals, t, box)
             low = np.append(low, np.fmax(plain.lower, y.lower))
             high = np.append(high, np.fmin(plain.upper, y.upper))
@@ -244,7 +263,7 @@ class Enclosure:
     def _advance(self, end: float) -> None:
         """Take a step, without series if there is none."""
         if self.jumps is None:
-            self._put(*self._image(self.leaps, exact(self.t), *self._set))
+            self._leap()
             self.t, self.steps = end, self.steps + 1
             return
         try:
@@ -305,24 +324,18 @@ class Enclosure:
         terms = F_m[:, :, 0]
         terms.c[:, p + 1], terms.r[:, p + 1] = remainder
         J = wide[:, : p + 1, 1 : N + 1]
-        H = self._bends(box, J, step)
-        if H is not None:
+        flow = self._flow(terms, J, apart)
+        first = flow(step)
+        if (H := self._bends(box, first[1])) is not None:
             middle = Ball(self.P.c, 0 * self.P.r)
             J = self.wide.evaluate(exact(t), exact(self.m[:n]), middle)
-            J = J[:, : p + 1, 1 : N + 1]
-
-        def flow(h: Ball) -> tuple[Ball, Ball]:
-            scales = powers(h, ORDER + 2)
-            centre = balls.total(balls.mul(terms, scales))
-            centre = balls.add(centre, around(apart(float(h.upper))))
-            G = matrix(matrix(scales[None, : p + 1], J)[:, 0], exact(self.G))
-            if H is None:
-                return centre, G
-            of_step = matrix(scales[None, : p + 1], H)[:, 0]
-            of_step = Ball(*(a.reshape(n, N, N) for a in of_step))
-            left = bend(G, of_step, self.G, self.r, self.given)
-            return balls.add(centre, around(left)), G
-
+            bent = self._flow(terms, J[:, : p + 1, 1 : N + 1], apart, H)
+            radii = (self._box(*one).r + REACH for one in (bent(step), first))
+            flow = bent if np.sum(np.divide(*radii)) < n else flow
+        is_loose = np.any(flow(step)[1].r @ self.r > LOOSE * box.r)
+        if is_loose and d is None:
+            time = between(t, np.nextafter(t + float(step.upper), np.inf))
+            hull = self._walls(time, hull(step), float(step.upper))
         # errors of the Jacobian grow as h, more is of dependent terms
         while len(self.r) and 0.5 * (new - t) > least:
             half = t + 0.5 * (new - t)
@@ -330,15 +343,35 @@ class Enclosure:
             if np.all(errors[0] <= 2.3 * errors[1] + allowed):
                 break
             new = half
-        self._accept(new, hull, flow)
+        self._accept(new, hull, flow, is_loose or d is not None)
 
-    def _bends(self, box: Ball, J: Ball, step: Ball) -> Ball | None:
+    def _flow(self, terms: Ball, J: Ball, apart: Any, H: Ball | None = None) -> Any:
+        """Return a function of time since the step began, with middle and generators."""
+        n, N, orders = self.n, self.N, ORDER + 1
+
+        def flow(h: Ball) -> tuple[Ball, Ball]:
+            scales = powers(h, orders + 1)
+            centre = balls.total(balls.mul(terms, scales))
+            centre = balls.add(centre, around(apart(float(h.upper))))
+            G = matrix(matrix(scales[None, :orders], J)[:, 0], exact(self.G))
+            if H is None:
+                return centre, G
+            of_step = matrix(scales[None, :orders], H)[:, 0]
+            of_step = Ball(*(a.reshape(n, N, N) for a in of_step))
+            left = bend(G, of_step, self.G, self.r, self.given)
+            return balls.add(centre, around(left)), G
+
+        return flow
+
+    def _walls(self, time: Ball, B: Ball, h: float) -> Any:
+        """Return walls of the set in a step, by times since it began."""
+        box = within(self._box(*self._set), self.walls)
+        return walls(partial(self._plain, self.rates, time), box, B, h)
+
+    def _bends(self, box: Ball, G: Ball) -> Ball | None:
         """Return second derivatives of coefficients, where first ones on the box are too wide."""
         n, orders = self.n, ORDER + 1
-        if self.second is None:
-            return None
-        jacobian = matrix(powers(step, orders)[None], J)[:, 0]
-        if np.all(matrix(jacobian, exact(self.G)).r @ self.r <= FLAT * box.r):
+        if self.second is None or np.all(G.r @ self.r <= FLAT * box.r):
             return None
         with suppress(Undecided):
             x = with_tangents(box, self.N)
@@ -354,15 +387,16 @@ class Enclosure:
     @property
     def _hull(self) -> Ball:
         """The box of the states within the walls, and their middle."""
-        box = within(self._box(*self._set), self.walls)
-        middle = self.m[: self.n]
-        return between(np.minimum(box.lower, middle), np.maximum(box.upper, middle))
+        x, G = self._set
+        return around_both(within(self._box(x, G), self.walls), x)
 
     def _box(self, x: Ball, G: Ball) -> Ball:
         """Return the box of values with a middle and generators."""
         return balls.add(x, matrix(G, around(self.r)))
 
-    def _accept(self, new: float, hull: Any, flow: Any) -> None:
+    def _accept(
+        self, new: float, hull: Any, flow: Any, has_walls: bool = False
+    ) -> None:
         """Go to a new time, and write the boxes up to it.
 
         `flow` returns centre and generators of x after a time in a ball, `hull` a box of them.
@@ -391,27 +425,26 @@ class Enclosure:
                     box = within(box, reach)
             self._write(1, rows, inside, x, G, box)
         # 2. the set
-        centre, G = flow(moved(t, new))
-        walls = hull(moved(t, new)) if self.is_noisy else None
-        if (
-            walls is not None
-        ):  # a state far beyond its walls is an interval between them
+        end = moved(t, new)
+        self._put(*flow(end), hull(end) if has_walls else None)
+        self.h, self.t = new - t, new
+        self.steps += 1
+
+    def _put(self, centre: Ball, G: Ball, walls: Ball | None) -> None:
+        """Replace the set; its errors are new columns, the shortest of which become a box.
+
+        A state far beyond its walls is an interval between them.
+        """
+        n, N = self.n, self.N
+        if walls is not None:
             is_far = walls.r < 0.5 * self._box(centre, G).r
             ends = zip(walls, centre, strict=True)
             centre = Ball(*(np.where(is_far, wall, of) for wall, of in ends))
             G.c[is_far] = G.r[is_far] = 0.0
-        self._put(centre, G)
-        self.walls = walls
-        self.h, self.t = new - t, new
-        self.steps += 1
-
-    def _put(self, centre: Ball, G: Ball) -> None:
-        """Replace the set; its errors are new columns, the shortest of which become a box."""
-        n, N = self.n, self.N
         errors = balls.add(matrix(around(G.r), exact(self.r)), exact(centre.r)).size
         bent = G.r[:, : self.given] * self.r[: self.given]
         self.bent += np.sum(bent.T / (self._box(*self._set).r + REACH), axis=1)
-        self.m[:n], self.walls = centre.c, None
+        self.m[:n], self.walls = centre.c, walls
         self.G = np.hstack([np.vstack([G.c, self.G[n:]]), np.eye(N, n)])
         self.r = np.concatenate([self.r, errors])
         if (count := len(self.r) - self.kept) > TERMS * n:
@@ -488,6 +521,4 @@ class Enclosure:
             raise Undecided("a step is too long for its noise")
         apart = partial(moved_apart, during, J)
         apart(h)  # an error if the step is too long
-        box = within(self._box(*self._set), self.walls)
-        hull = walls(partial(self._plain, self.rates, time), box, B, h)
-        return B, hull, apart
+        return B, self._walls(time, B, h), apart
