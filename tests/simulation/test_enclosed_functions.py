@@ -268,3 +268,52 @@ def test_a_set_that_begins_at_the_root_of_0():
         end = run.y[:, -1]
         assert np.all((tube.lower.values[1] <= end) & (end <= tube.upper.values[1]))
     assert np.all((tube.upper - tube.lower).values[1] < 0.05)
+
+
+@pytest.mark.parametrize(
+    ("rate", "start", "widest"),
+    [
+        (lambda x, of: of.sin(x), (-3.0, 3.0), 6.3),
+        (lambda x, of: -(x**3), (-1.0, 1.0), 2.0),
+        (lambda x, of: of.tanh(1000 * x) - 2 * x, (-0.6, 0.7), 1.4),
+    ],
+)
+def test_a_wide_set_stays_between_its_walls(rate, start, widest):
+    tube = clpt.enclose(
+        block(lambda t, x, u, p: rate(x.x, np)), [0, 0.5, 1], None, [start]
+    )
+    low, high = (
+        solve_ivp(lambda t, x: rate(x, np), (0, 1), [end], rtol=1e-10, atol=1e-12)
+        for end in start
+    )
+    assert tube.status == "finished"
+    assert tube.lower[-1, 0] <= low.y[0, -1] <= high.y[0, -1] <= tube.upper[-1, 0]
+    assert tube.upper[-1, 0] - tube.lower[-1, 0] <= widest
+
+
+def test_a_relay_in_sliding_and_a_drag_stay_bounded():
+    relay = block(lambda t, x, u, p: 0.5 - np.sign(x.x))
+    tube = clpt.enclose(relay, [0, 1, 3], None, [(-0.1, 0.1)])
+    assert tube.lower[-1, 0] <= 0.0 <= tube.upper[-1, 0]
+    assert tube.upper[-1, 0] - tube.lower[-1, 0] < 0.1
+    drag = block(lambda t, x, u, p: 1 - np.abs(x.x) * x.x)
+    tube = clpt.enclose(drag, [0, 1], None, [(-0.5, 0.5)])
+    low = math.tan(1.0 - math.atan(0.5))  # from below: x' = 1 + x^2 up to 0
+    low = math.tanh(1.0 - math.atan(0.5)) if low > 0.0 else low
+    high = math.tanh(1.0 + math.atanh(0.5))
+    assert tube.lower[-1, 0] <= low <= high <= tube.upper[-1, 0]
+    assert tube.upper[-1, 0] - tube.lower[-1, 0] < 4 * (high - low)
+
+
+def test_a_map_of_discrete_time_is_no_wider_than_its_values():
+    model = clpt.Block(
+        "model",
+        update=lambda t, x, u, p: 0.5 * x.x + 0.1 * np.tanh(1000 * x.x),
+        states={"x": 1},
+        dt=1.0,
+    )
+    tube = clpt.enclose(model, range(10), None, [(-0.3, 0.3)])
+    high = 0.3
+    for _ in range(9):
+        high = 0.5 * high + 0.1 * math.tanh(1000 * high)
+    assert -0.21 < tube.lower[-1, 0] <= -high <= high <= tube.upper[-1, 0] < 0.21

@@ -105,6 +105,7 @@ def test_an_input_may_change_at_any_time():
     assert clpt.verify(*arguments, always=f"abs(x) < {end - 1e-9}").status == "refuted"
 
 
+@pytest.mark.long  # 2 s of CPU: a set that one piece does not decide
 def test_pieces_are_spent_until_it_is_decided():
     def rates(t, x, u, p):
         return {"a": x.w, "w": -np.sin(x.a) - x.w}

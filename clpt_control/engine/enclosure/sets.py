@@ -332,7 +332,7 @@ class Enclosure:
             bent = self._flow(terms, J[:, : p + 1, 1 : N + 1], apart, H)
             radii = (self._box(*one).r + REACH for one in (bent(step), first))
             flow = bent if np.sum(np.divide(*radii)) < n else flow
-        is_loose = np.any(flow(step)[1].r @ self.r > LOOSE * box.r)
+        is_loose = bool(np.any(flow(step)[1].r @ self.r > LOOSE * box.r))
         if is_loose and d is None:
             time = between(t, np.nextafter(t + float(step.upper), np.inf))
             hull = self._walls(time, hull(step), float(step.upper))
@@ -426,7 +426,8 @@ class Enclosure:
             self._write(1, rows, inside, x, G, box)
         # 2. the set
         end = moved(t, new)
-        self._put(*flow(end), hull(end) if has_walls else None)
+        x, G = flow(end)
+        self._put(x, G, hull(end) if has_walls else None)
         self.h, self.t = new - t, new
         self.steps += 1
 
@@ -506,7 +507,10 @@ class Enclosure:
         time = between(self.t, np.nextafter(self.t + h, np.inf))
         B, rates = self._picard(time, h, 1e-6 * h * h)  # a root grows from 0
         x, G = self._set
-        self._accept(new, _always(B), lambda h: (balls.add(x, balls.mul(rates, h)), G))
+        hull = self._walls(time, B, h)
+        self._accept(
+            new, hull, lambda h: (balls.add(x, balls.mul(rates, h)), G), has_walls=True
+        )
         self.crude += 1
 
     def _disturbed(self, time: Ball, h: float, d: np.ndarray) -> tuple[Ball, Any, Any]:
