@@ -275,7 +275,7 @@ def test_a_set_that_begins_at_the_root_of_0():
     [
         (lambda x, of: of.sin(x), (-3.0, 3.0), 6.3),
         (lambda x, of: -(x**3), (-1.0, 1.0), 2.0),
-        (lambda x, of: of.tanh(1000 * x) - 2 * x, (-0.6, 0.7), 1.4),
+        (lambda x, of: of.tanh(x) - 2 * x, (-0.6, 0.7), 1.4),
     ],
 )
 def test_a_wide_set_stays_between_its_walls(rate, start, widest):

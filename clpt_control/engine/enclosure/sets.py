@@ -182,7 +182,11 @@ class Enclosure:
         except Undecided as error:
             self.why = str(error)
         del self.wide, self.narrow, self.second  # large
-        # an interval is covered whole or not at all
+        # an interval has the boxes at its ends, and is covered whole or not at all
+        for (at, over), widest in zip(
+            self.bounds, (np.minimum, np.maximum), strict=True
+        ):
+            over[1:] = widest(over[1:], widest(at[1:], at[:-1]))
         self.bounds[:, 1, self.place(self.t, "right") :] = np.nan
         self.bounds[np.isinf(self.bounds)] = np.nan
 
