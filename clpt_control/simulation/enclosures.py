@@ -21,7 +21,7 @@ from ..engine.enclosure.balls import Ball, between
 from ..engine.enclosure.curvature import tangents
 from ..engine.enclosure.noise import InputNoise
 from ..engine.enclosure.set_program import DECIDED, SetProgram
-from ..engine.enclosure.sets import Enclosure, enclosed
+from ..engine.enclosure.sets import MOST_STEPS, Enclosure, enclosed
 from ..engine.model.declaration import same_unit
 from ..engine.model.ports import ports_of, whole_labels
 from ..engine.record.unread import Unread
@@ -213,6 +213,7 @@ def boxes(
     pieces: int = 1,
     margins: Mapping[str, Any] = MappingProxyType({}),
     undecided: Callable[[Enclosure], bool] | None = None,
+    most_steps: int = MOST_STEPS,
 ) -> "xarray.Dataset":
     """Return the boxes of `enclose`, the last of them of `margins`, functions of signals.
 
@@ -274,7 +275,8 @@ def boxes(
     jumps = None if made.wiring.dt else [*layout.jumps.values()]
     times = request.times if request.steps is None else request.times[request.steps]
     runs = enclosed(
-        whole, schedule, pieces, programs, noise, times, jumps, undecided=undecided
+        *(whole, schedule, pieces, programs, noise, times, jumps, most_steps),
+        undecided=undecided,
     )
     lost = {names[one.n + k]: why for one in runs for k, why in one.lost.items()}
     whose = "all states and outputs" + (f" but {', '.join(lost)}" if lost else "")
@@ -335,10 +337,15 @@ def varied_by(
     for node in wiring.nodes:
         block = node.system
         at_known_times = block.first_held is not None or not block.breakpoints_function
+        names_of_fields: dict[str, list[str]] = {}
         for name, field in call_names(node.name, block).items():
+            names_of_fields.setdefault(field, []).append(name)
+        for field, names in names_of_fields.items():
+            # a name with that of the block is of this block alone
+            name = max(names, key=len)
             number = getattr(block.parameters, field)
             value = np.asarray(number, float)
-            if field == "interval" or name in params or not np.any(value):
+            if field == "interval" or params.keys() & names or not np.any(value):
                 continue
             is_fixed = not at_known_times or isinstance(number, int)
             if (

@@ -167,7 +167,7 @@ def test_a_bad_specification_gets_a_sentence(text):
         ({"always": 3.0}, "must be a text, a function"),
         ({"always": "level < 1", "within": 2.0}, "between 0 and 1"),
         ({"always": lambda s: s.level < 1}, "jumps"),
-        ({"always": lambda s: math.sin(s.level)}, "is no function of the signals"),
+        ({"always": lambda s: math.sin(s.level)}, "is no number"),
     ],
 )
 def test_a_bad_argument_gets_a_sentence(specification, why):
@@ -181,3 +181,70 @@ def test_members_of_ends_with_labels_are_ends():
     )
     assert verdict.status == "refuted"
     assert {*itertools.chain(verdict.member["initial_state"].values())} <= {0.0, 0.1}
+
+
+def lag(state="x"):
+    return control.nlsys(
+        lambda t, x, u, p: [-p["k"] * x[0]],
+        None,
+        states=[state],
+        outputs=[state],
+        inputs=0,
+        params={"k": 1.0},
+        name="lag",
+    )
+
+
+def test_a_part_of_parameters_leaves_those_that_are_given_by_any_name():
+    for name in ("k", "lag.k"):
+        given = {"params": {name: (2.0, 3.0)}, "within": 0.1}
+        fast = clpt.verify(lag(), [0, 1], None, [1.0], **given, always="x > 0.0499")
+        assert fast.status == "refuted"  # exp(-3) = 0.0498
+        assert 2.0 <= float(fast.member["params"][name]) <= 3.0
+        slow = clpt.verify(lag(), [0, 1], None, [1.0], **given, by=(1, "x < 0.14"))
+        assert slow.status == "proved"  # exp(-2) = 0.1353
+
+
+def test_a_signal_with_the_name_of_the_time_is_refused():
+    with pytest.raises(clpt.ArgumentError, match="a signal has the name t"):
+        clpt.verify(lag("t"), [0, 1], None, [7.0], always="t < 2")
+
+
+def test_a_margin_without_a_value_is_said():
+    verdict = clpt.verify(lag(), [0, 2], None, [1.0], always="sqrt(x - 0.5) > -1")
+    assert verdict.status == "open"
+    claims = [step.claim for step in verdict.steps if not step.holds]
+    assert any("has no value at t = 0.7 of a run" in claim for claim in claims)
+    verdict = clpt.verify(lag(), [0, 2], None, [1.0], never="sqrt(x - 5) > 0.9")
+    assert verdict.status == "open"
+    assert not any(" inf" in step.claim for step in verdict.steps)
+
+
+@pytest.mark.parametrize(
+    "margin",
+    [
+        lambda s: None,
+        lambda s: "x",
+        lambda s: [2 - s.x, s.x + 1],
+        lambda s: 1 / 0,
+        "z < 2",
+    ],
+)
+def test_a_margin_that_is_no_number_gets_a_sentence(margin):
+    model = clpt.Block(
+        "s", update=lambda t, x, u, p: {"x": -x.x, "z": -x.z}, states={"x": 1, "z": 2}
+    )
+    with pytest.raises(clpt.ArgumentError, match=r"is no number|several values"):
+        clpt.verify(model, [0, 1], None, [1.0, 1.0, 1.0], always=margin)
+
+
+def test_a_port_of_one_element_has_its_label():
+    assert clpt.verify(tank(), [0, 4], always="level[0] < 1").status == "proved"
+
+
+@pytest.mark.long  # 2 s of CPU: the run from 1 ends, so do its boxes
+def test_runs_that_end_before_the_last_time_are_open():
+    model = clpt.Block("b", update=lambda t, x, u, p: x.x**2, states={"x": 1})
+    verdict = clpt.verify(model, [0, 1.5], None, [1.0], always="x > 0")
+    assert verdict.status == "open"
+    assert any("a run ends" in step.claim for step in verdict.steps)

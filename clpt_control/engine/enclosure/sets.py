@@ -107,7 +107,9 @@ class Enclosure:
         noise: InputNoise,
         times: np.ndarray,
         jumps: list[int] | None,
+        most_steps: int = MOST_STEPS,
     ):
+        self.most_steps = most_steps
         rates, signals, leaps, second = programs
         # 1. the set, with columns for what has a radius
         self.whole, self.n = whole, len(rates.x)
@@ -169,6 +171,7 @@ class Enclosure:
     @np.errstate(all="ignore")
     def run(self, schedule: Any) -> None:
         """Fill the boxes up to the last sample, or to where they end."""
+        most = self.most_steps
         try:
             for edge, values in zip(schedule.edges, schedule.values, strict=True):
                 self.P.c[schedule.indices] = values
@@ -177,8 +180,8 @@ class Enclosure:
                 self._begin()
                 while self.t < end:
                     self._advance(end)
-                    if self.steps >= MOST_STEPS:
-                        raise Undecided(f"the run takes more than {MOST_STEPS} steps")
+                    if self.steps >= most:
+                        raise Undecided(f"the run takes more than {most} steps")
         except Undecided as error:
             self.why = str(error)
         del self.wide, self.narrow, self.second  # large

@@ -17,12 +17,17 @@ from typing import Any
 import numpy as np
 
 from ...base.arguments import brief, known
-from ...base.errors import ArgumentError, Uncompiled
+from ...base.errors import ArgumentError, ClptError, Uncompiled
+from ...engine.codegen.series import Node
 from ...engine.record.operations import UFUNCS
 
 GRAMMAR = (
     "Give a comparison such as 'level < 0.9', or several with `and`, of names, numbers and "
     "functions of NumPy"
+)
+NO_FUNCTION = (
+    "is no number of the signals. Use operators and functions of NumPy such as np.hypot and "
+    "np.minimum, on single signals"
 )
 OPERATORS: dict[type, Callable[..., Any]] = {
     ast.Add: np.add,
@@ -54,17 +59,26 @@ class Specification:
         """Return the margin of signals by name."""
         try:
             value = self.margin(SimpleNamespace(**signals))
-            return value if self.sign > 0.0 else np.negative(value)
+            value = value if self.sign > 0.0 else np.negative(value)
         except AttributeError as error:
             names = [*signals]
             raise ArgumentError(
                 f"{self.claim}: has no signal '{error.name}'. {known(str(error.name), names)}"
             ) from None
-        except (Uncompiled, KeyError, TypeError, IndexError, ValueError) as error:
+        except ClptError as error:
+            if not isinstance(error, Uncompiled):
+                raise
+            raise ArgumentError(f"{self.claim}: {NO_FUNCTION}") from None
+        except Exception as error:
+            cause = f"{self.claim}: {NO_FUNCTION}"
+            raise ArgumentError(cause) from error
+        if isinstance(value, np.ndarray) and value.dtype == object:
             raise ArgumentError(
-                f"{self.claim}: is no function of the signals ({type(error).__name__}: {error}). "
-                "Use operators and functions of NumPy such as np.hypot and np.minimum"
-            ) from None
+                f"{self.claim}: has several values. Name one element of a port, such as x[0]"
+            )
+        if not isinstance(value, Node | np.ndarray | float | int | np.number):
+            raise ArgumentError(f"{self.claim}: {NO_FUNCTION}")
+        return value
 
     def holds(self, lower: Any) -> Any:
         """Return whether lower bounds of the margin show that it holds."""
@@ -122,6 +136,12 @@ def specification_of(
     return Specification(f"{when} {given.strip()}", margin, strict, begin, sign)
 
 
+def element(port: Any, k: int) -> Any:
+    """Return an element of a port; that of one element is its number 0."""
+    is_port = isinstance(port, np.ndarray) and port.dtype == object
+    return port[k] if is_port else [port][k]
+
+
 class _Reader:
     """Reader of a formula as a function of signals; nothing of it is run by Python."""
 
@@ -138,7 +158,7 @@ class _Reader:
             case ast.Subscript(
                 value=ast.Name(id=name), slice=ast.Constant(value=int() as k)
             ):
-                return lambda s: getattr(s, name)[k]
+                return lambda s: element(getattr(s, name), k)
             case ast.BinOp(left=a, op=op, right=b) if type(op) in OPERATORS:
                 return self.call(OPERATORS[type(op)], [a, b])
             case ast.UnaryOp(operand=a, op=op) if type(op) in OPERATORS:

@@ -35,6 +35,7 @@ if TYPE_CHECKING:
 
     from ...paper.scenario.experiment import Scenario
 
+MOST_STEPS = 3_000  # of boxes
 TIMES = 100  # intervals of a run that gives fewer times
 HOLDS = "holds on every run"
 
@@ -177,6 +178,11 @@ def verify(
             labels[:] = [of for of, _ in groups]
             for of, values in groups:
                 named(of, values, signals)
+            if hidden := signals.keys() & {"t", "pi"}:
+                raise ArgumentError(
+                    f"verify: a signal has the name {min(hidden)}, which has a meaning of its own "
+                    "in specifications. Rename it"
+                )
             return spec.of(signals | {"t": t})
 
         return margin
@@ -193,7 +199,7 @@ def verify(
         return False
 
     # 1. boxes of the whole set: bad arguments are named here
-    tube = boxes(system, times, **given, margins=margins)
+    tube = boxes(system, times, **given, margins=margins, most_steps=MOST_STEPS)
     proved = [
         _is_proved(spec, name, tube) for name, spec in zip(margins, specs, strict=True)
     ]
@@ -208,7 +214,9 @@ def verify(
         search = Search(run, specs, members, tube.time.values, labels)
         search(np.random.default_rng(seed))
         refuted = _confirmed(
-            search, partial(boxes, system, times, margins=margins), specs
+            search,
+            partial(boxes, system, times, margins=margins, most_steps=MOST_STEPS),
+            specs,
         )
     # 3. pieces
     if not all(proved) and refuted is None and pieces > 1:
@@ -219,7 +227,7 @@ def verify(
             _is_proved(s, name, tube) for name, s in zip(margins, specs, strict=True)
         ]
     found: dict[str, Any] = {"tube": tube}
-    if search is not None and search.best is not None:
+    if search is not None and search.best is not None and np.isfinite(search.best[0]):
         least, shares, at = search.best
         member = search.members.member(shares)
         found |= {"time": at, "margin": least, "member": member}
@@ -312,10 +320,13 @@ def _verdict(
         Step(f"boxes show {spec.claim}", is_shown, "enclosed")
         for spec, is_shown in zip(specs, proved, strict=True)
     ]
-    if search is not None and search.best is not None:
+    if search is not None and search.best is not None and np.isfinite(search.best[0]):
         least, _, at = search.best
         text = f"the least margin of {search.runs} runs is {least:.6g}, at t = {at:.9g}"
-        steps.append(Step(text, least > 0.0, "sampled", needed=False))
+        holds = least > 0.0 and not search.without
+        steps.append(Step(text, holds, "sampled", needed=False))
+    without = search.without if search is not None else {}
+    steps += [Step(text, False, "sampled") for text in without]
     of_model = RunCondition("recorded", "of the recorded equations in exact arithmetic")
     until = RunCondition("times", f"for t from {times[0]:.9g} to {times[-1]:.9g}")
     conditions: tuple[Any, ...] = (until, of_model)

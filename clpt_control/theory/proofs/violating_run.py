@@ -13,6 +13,7 @@ from .specification import Specification, named
 
 CORNERS = 32
 MOST_RUNS = 80
+MOST_ENDED = 3  # runs that end before the last time
 
 
 class Members:
@@ -75,7 +76,8 @@ class Search:
         """Take a function that returns runs, and what `margins_along` takes of these."""
         self.run, self.specs, self.members, self.of = run, specs, members, of
         self.best: tuple[float, np.ndarray, float] | None = None
-        self.runs = 0
+        self.runs = self.ended = 0
+        self.without: dict[str, None] = {}  # sentences on what has no margin
 
     def at(self, shares: np.ndarray) -> float:
         """Return the least margin of the run of a member; NaN margins are not seen."""
@@ -83,9 +85,17 @@ class Search:
         self.runs += 1
         try:
             run = self.run(**member)
-        except SimulationError:
+        except SimulationError as error:
+            self.ended += 1
+            self.without.setdefault(f"a run ends: {error}")
             return np.inf
         margins = [margins_along(spec, run, *self.of) for spec in self.specs]
+        for spec, margin in zip(self.specs, margins, strict=True):
+            if np.any(unknown := np.isnan(margin)):
+                t = self.of[0][np.argmax(unknown)]
+                self.without.setdefault(
+                    f"the margin of {spec.claim} has no value at t = {t:.9g} of a run"
+                )
         lows = [np.nanmin(m, initial=np.inf) for m in margins]
         least = float(min(lows))
         if self.best is None or least < self.best[0]:
@@ -96,9 +106,9 @@ class Search:
     def __call__(self, rng: np.random.Generator) -> None:
         """Try corners and random members, then go down from the best, share by share."""
         for shares in self.members.corners(rng):
-            if self.at(shares) < 0.0:
+            if self.at(shares) < 0.0 or self.ended > MOST_ENDED:
                 return
-        step = 0.5
+        step = 0.5 if self.best is not None and np.isfinite(self.best[0]) else 0.0
         while self.members.count and step > 0.01 and self.runs < MOST_RUNS:
             assert self.best is not None
             least, at, _ = self.best
@@ -129,6 +139,7 @@ def margins_along(
                 columns = values.transpose("time", ...).values.reshape(len(times), -1).T
                 named([f"{name}[{k}]" for k in range(len(columns))], columns, signals)
         named(run.state.values.tolist(), run.states.values.T, signals)
-    value = spec.of({**signals, "t": times})
+    with np.errstate(all="ignore"):
+        value = spec.of({**signals, "t": times})
     value = np.broadcast_to(np.asarray(value, float), times.shape)
     return np.where(times >= spec.begin, value, np.inf)
