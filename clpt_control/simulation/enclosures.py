@@ -10,7 +10,7 @@ import control
 import numpy as np
 
 from ..base.arguments import Count, attribute_of, brief, has, numbers, public
-from ..base.errors import ArgumentError, SimulationError, Uncompiled
+from ..base.errors import ArgumentError, BlockError, SimulationError, Uncompiled
 from ..base.figures import BLUE, literal
 from ..base.labelled import Labelled, unit_of, unlabelled
 from ..engine.codegen.diagram_record import DiagramRecord, Form
@@ -39,6 +39,7 @@ if TYPE_CHECKING:
 
     from ..paper.scenario.experiment import Scenario
 
+MATRICES = {"A", "B", "C", "D", "interval"}  # of linear systems
 MOST_PANELS = 6
 MOST_NUMBERS = 1_000_000  # of a coefficient; there are 27, of centres and radii
 ROUNDING = 2.0**-48
@@ -312,16 +313,22 @@ def _signals(made: DiagramRun, signals: SetProgram) -> tuple[Any, ...]:
 def _margin(name: str, margin: Any, values: tuple, signals: SetProgram) -> int:
     """Return the value of a function of signals."""
     first = len(signals.steps)
-    value = margin(*values)
-    if not isinstance(value, Node):
-        value = Node(signals, signals.number(float(value)))  # type: ignore[arg-type]
+    slots = []
+    for _ in range(2):
+        value = margin(*values)
+        is_number = not isinstance(value, Node)
+        slots.append(signals.number(float(value)) if is_number else value.argument)
+    if slots[0] != slots[1]:
+        raise ArgumentError(
+            f"{name}: differs from call to call. Give a function of the signals alone"
+        )
     kinds = {step.kind for step in signals.steps[first:]}
     if kinds & ({*DECIDED, "mod", "pick", "where"}):
         raise ArgumentError(
             f"{name}: jumps. Give a number that is above 0 where the specification holds, in "
             "continuous functions"
         )
-    return signals.interval_of(value.argument)
+    return signals.interval_of(slots[0])
 
 
 def varied_by(
@@ -332,21 +339,23 @@ def varied_by(
         raise ArgumentError(
             f"within = {brief(part)}: must be between 0 and 1, 0.1 for 10 %"
         )
-    wiring = wiring_of(as_diagram(system)[0])
+    diagram = as_diagram(system)[0]
     varied, still = dict[str, Any](), list[str]()
-    for node in wiring.nodes:
+    for node in wiring_of(diagram).nodes:
         block = node.system
         at_known_times = block.first_held is not None or not block.breakpoints_function
         names_of_fields: dict[str, list[str]] = {}
         for name, field in call_names(node.name, block).items():
             names_of_fields.setdefault(field, []).append(name)
         for field, names in names_of_fields.items():
-            # a name with that of the block is of this block alone
-            name = max(names, key=len)
             number = getattr(block.parameters, field)
             value = np.asarray(number, float)
-            if field == "interval" or params.keys() & names or not np.any(value):
+            is_matrix = {*block.parameters._fields} <= MATRICES
+            if field == "interval" or is_matrix or params.keys() & names:
                 continue
+            if not np.any(value):
+                continue
+            name = known_name(diagram, names, number)
             is_fixed = not at_known_times or isinstance(number, int)
             if (
                 is_fixed
@@ -357,7 +366,20 @@ def varied_by(
                 continue
             far = part * np.abs(value)
             varied[name] = ((value - far)[()], (value + far)[()])
+    # a short name is of all blocks that know none of their own
+    owned = {name.rpartition(".")[2] for name in varied if "." in name}
+    varied = {name: ends for name, ends in varied.items() if name not in owned}
+    still = [name for name in still if name not in owned]
     return {**varied, **params}, still
+
+
+def known_name(diagram: Any, names: list[str], number: Any) -> str:
+    """Return the name that a call has for a parameter, that of its block alone if there is one."""
+    for name in sorted(names, key=len, reverse=True):
+        with suppress(BlockError):
+            wiring_of(diagram, {name: number})
+            return name
+    return names[0]
 
 
 def noise_of(times: np.ndarray, middle: Ball, first: int) -> InputNoise:

@@ -248,3 +248,52 @@ def test_runs_that_end_before_the_last_time_are_open():
     verdict = clpt.verify(model, [0, 1.5], None, [1.0], always="x > 0")
     assert verdict.status == "open"
     assert any("a run ends" in step.claim for step in verdict.steps)
+
+
+def test_parameters_of_a_loop_of_blocks_vary_each():
+    plant = control.nlsys(
+        lambda t, x, u, p: [-p["k"] * x[0] + u[0]],
+        lambda t, x, u, p: [x[0]],
+        states=["x"],
+        inputs=["u"],
+        outputs=["y"],
+        params={"k": 1.0},
+        name="P",
+    )
+    law = control.nlsys(
+        None,
+        lambda t, x, u, p: [p["g"] * u[0]],
+        inputs=["e"],
+        outputs=["u"],
+        params={"g": 3.0},
+        name="C",
+    )
+    error = control.summing_junction(["r", "-y"], "e", name="S")
+    loop = clpt.connect([plant, law, error], external="r")
+    for most, status in ((0.79, "proved"), (0.785, "refuted")):  # 3.3 / 4.2
+        verdict = clpt.verify(loop, [0, 2], [1.0], within=0.1, always=f"y < {most}")
+        assert verdict.status == status
+
+
+def test_a_part_of_parameters_that_have_no_interval_is_refused():
+    asks = clpt.Block(
+        "asks",
+        update=lambda t, x, u, p: {"x": 1.0 if p.n < 3.2 else 5.0},
+        states={"x": 1},
+        parameters={"n": 3.0},
+    )
+    with pytest.raises(clpt.ArgumentError, match=r"asks\.n: can have no interval"):
+        clpt.verify(asks, [0, 1], within=0.1, always="x < 2")
+    given = clpt.verify(
+        asks, [0, 1], params={"asks.n": 3.0}, within=0.1, always="x < 2"
+    )
+    assert given.status == "proved"
+    plain = control.ss(-1, 1, 1, 0, name="q", inputs="u", outputs="y")
+    with pytest.raises(clpt.ArgumentError, match="there is no parameter"):
+        clpt.verify(plain, [0, 1], [1.0], within=0.1, always="y < 2")
+
+
+def test_a_margin_that_changes_from_call_to_call_is_refused():
+    rng = np.random.default_rng(0)
+    with pytest.raises(clpt.ArgumentError, match="differs from call to call"):
+        judged(always=lambda s: s.level + rng.random())

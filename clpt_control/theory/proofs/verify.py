@@ -136,7 +136,7 @@ def verify(
         A time, and what holds from then on to the end: ``(60, "hypot(x - 10, y - 5) < 2")``.
     within : float, optional
         Part of each parameter's number by which it may differ, 0.1 for 10 %. Parameters in
-        `params` are as given there.
+        `params` are as given there; the matrices of linear systems are no parameters.
     pieces : int, optional
         Into how many pieces the set is divided at most, where it is undecided.
     seed : int, optional
@@ -165,9 +165,18 @@ def verify(
     ('refuted', True)
     """
     times, specs = _read(system, timepts, inputs, always, never, by)
-    still: list[str] = []
     if within is not None:
-        params, still = varied_by(system, within, params or {})
+        given_params = dict(params or {})
+        params, still = varied_by(system, within, given_params)
+        if still:
+            raise ArgumentError(
+                f"within = {within}: {', '.join(still)}: can have no interval, as their numbers "
+                "are read. Give these in `params`"
+            )
+        if not params:
+            raise ArgumentError(
+                f"within = {within}: there is no parameter. Leave it out"
+            )
     given = {"inputs": inputs, "initial_state": initial_state, "params": params}
 
     labels = list[list[str]]()  # of outputs and of states
@@ -232,7 +241,7 @@ def verify(
         member = search.members.member(shares)
         found |= {"time": at, "margin": least, "member": member}
         found["run"] = simulate(system, times, **member)
-    return _verdict(specs, [*margins], proved, tube, search, refuted, still, found)
+    return _verdict(specs, [*margins], proved, tube, search, refuted, found)
 
 
 def _read(
@@ -310,7 +319,6 @@ def _verdict(
     tube: "xarray.Dataset",
     search: Search | None,
     refuted: tuple[Specification, float] | None,
-    still: list[str],
     more: dict[str, Any],
 ) -> RunVerdict:
     """Return the verdict with its sentence."""
@@ -332,8 +340,6 @@ def _verdict(
     conditions: tuple[Any, ...] = (until, of_model)
     if "Filippov" in tube.message:
         conditions += (RunCondition("jumps", "runs of Filippov where rates jump"),)
-    if still:
-        conditions += (RunCondition("values", f"{', '.join(still)} as given"),)
     if refuted is not None:
         spec, more["time"] = refuted
         at = more["time"]
