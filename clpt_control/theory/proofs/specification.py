@@ -51,7 +51,7 @@ class Specification:
 
     claim: str  # "always level < 0.9"
     margin: Callable[[Any], Any]
-    strict: bool
+    strict: bool | None  # None where parts differ: 0 then decides nothing
     begin: float
     sign: float = 1.0
 
@@ -82,11 +82,11 @@ class Specification:
 
     def holds(self, lower: Any) -> Any:
         """Return whether lower bounds of the margin show that it holds."""
-        return (lower > 0.0) if self.strict else (lower >= 0.0)
+        return (lower >= 0.0) if self.strict is False else (lower > 0.0)
 
     def fails(self, upper: Any) -> Any:
         """Return whether upper bounds of the margin show that it does not hold."""
-        return (upper <= 0.0) if self.strict else (upper < 0.0)
+        return (upper <= 0.0) if self.strict is True else (upper < 0.0)
 
 
 def specification_of(
@@ -123,16 +123,12 @@ def specification_of(
             pairs.append((left, right) if is_less else (right, left))
     reader = _Reader(f"{argument} = '{given}'")
     functions = [(reader.read(low), reader.read(high)) for low, high in pairs]
-    if len(kinds) > 1:
-        raise ArgumentError(
-            f"{argument} = '{given}': has both < and <=. Give one kind of comparison"
-        )
 
     def margin(s: Any) -> Any:
         return reduce(np.minimum, (high(s) - low(s) for low, high in functions))
 
     # what must never hold fails where it holds, bounds included or not
-    strict = kinds == {True} if sign > 0.0 else kinds == {False}
+    strict = None if len(kinds) > 1 else kinds == {sign > 0.0}
     return Specification(f"{when} {given.strip()}", margin, strict, begin, sign)
 
 

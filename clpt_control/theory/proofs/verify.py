@@ -9,7 +9,7 @@ corners of the set, at random members, and by descent of the least margin.
 """
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -209,6 +209,7 @@ def verify(
 
     # 1. boxes of the whole set: bad arguments are named here
     tube = boxes(system, times, **given, margins=margins, most_steps=MOST_STEPS)
+    specs = _at_times(specs, tube.time.values)
     proved = [
         _is_proved(spec, name, tube) for name, spec in zip(margins, specs, strict=True)
     ]
@@ -272,11 +273,22 @@ def _read(
             times = np.append(times, by[0])
         far = np.min(np.abs(extra[:, None] - times), axis=1) > 1e-9 * span
         times = np.unique(np.append(times, extra[far]))
-    if by is not None and times is not None and by[0] not in numbers("timepts", times):
-        raise ArgumentError(
-            f"by: {by[0]:.9g} is no time of the run. Give a time of `timepts`"
-        )
     return times, specs
+
+
+def _at_times(specs: list[Specification], times: np.ndarray) -> list[Specification]:
+    """Return specifications that begin at a time of the run; times are rounded."""
+    begun = []
+    for spec in specs:
+        if np.isfinite(spec.begin):
+            nearest = float(times[np.argmin(np.abs(times - spec.begin))])
+            if abs(nearest - spec.begin) > 1e-12 * (np.ptp(times) + abs(nearest)):
+                raise ArgumentError(
+                    f"by: {spec.begin:.9g} is no time of the run. Give a time of `timepts`"
+                )
+            spec = replace(spec, begin=nearest)
+        begun.append(spec)
+    return begun
 
 
 def _are_held(inputs: Any, count: int) -> bool:
@@ -330,7 +342,8 @@ def _verdict(
     ]
     if search is not None and search.best is not None and np.isfinite(search.best[0]):
         least, _, at = search.best
-        text = f"the least margin of {search.runs} runs is {least:.6g}, at t = {at:.9g}"
+        runs = f"{search.runs} run{'s' * (search.runs > 1)}"
+        text = f"the least margin of {runs} is {least:.6g}, at t = {at:.9g}"
         holds = least > 0.0 and not search.without
         steps.append(Step(text, holds, "sampled", needed=False))
     without = search.without if search is not None else {}
