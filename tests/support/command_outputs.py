@@ -42,6 +42,7 @@ COMMANDS = {  # of files as `write_each` writes -> what is made: all of it, or n
         "t.toml",
     ),
     ("prove", "--theorem", "3.2"): (),
+    ("verify", "s.toml", "--always", "e[0] < 3", "--until", "1"): (),
     ("excitation", "s.toml", "--figure", "x.png"): ("x.png",),
     ("excitation", "s.toml", "--bounds", "--json"): (),
     ("tune", "s.toml", "--waypoints", "--out", "b.toml", "--figure", "b.png"): (

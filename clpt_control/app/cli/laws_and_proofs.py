@@ -137,10 +137,10 @@ def prove(
 
 def verify(
     scenario: ScenarioFile,
-    always: str | None = opt("TEXT", "Holds at all times: 'hypot(e[0], e[1]) < 3'."),
-    never: str | None = opt("TEXT", "Holds at no time."),
+    always: str | None = opt("FORMULA", "Holds at all times: 'hypot(e[0], e[1]) < 3'."),
+    never: str | None = opt("FORMULA", "Holds at no time."),
     by: str | None = opt(
-        "TIME:TEXT", "Holds from a time to the end: '20: hypot(e[0], e[1]) < 0.05'."
+        "TIME:FORMULA", "Holds from a time to the end: '20: hypot(e[0], e[1]) < 0.05'."
     ),
     flow: float = opt(
         "SHARE", "Part by which each flow parameter may differ.", default=0.0
@@ -149,10 +149,10 @@ def verify(
     pieces: int = opt("COUNT", "Pieces of the set, at most.", default=1),
     as_json: Json = False,
 ) -> None:
-    """Judge a specification of all runs of a scenario: proved, refuted or open.
+    """Judge a specification of every run: proved, refuted, open.
 
     Example:
-        clpt verify mine.toml --always "hypot(e[0], e[1]) < 3" --flow 0.01 --until 5
+        clpt verify mine.toml --always "e[0] < 3" --flow 0.01 --until 5
     """
     import clpt_control as clpt
 
@@ -167,7 +167,7 @@ def verify(
         try:
             target = float(time), text
         except ValueError:
-            raise ClptError(f"--by {by}: has no time. Give TIME:TEXT") from None
+            raise ClptError(f"--by {by}: has no time. Give TIME:FORMULA") from None
     params = {}
     if flow:
         varied, _ = varied_by(loop, flow, {})

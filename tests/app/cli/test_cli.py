@@ -379,6 +379,19 @@ def test_figures_that_json_cannot_hold_are_said(clpt):
     assert (status, out, err.startswith(said)) == (1, "", True), err
 
 
+@pytest.mark.long  # 5 s of CPU: boxes of the loop from its start
+def test_verify_judges_all_runs_of_a_scenario(printed):
+    clpt_control.save_scenario(clpt_control.paper_scenario(), "s.toml")
+    far = "hypot(e[0], e[1]) < 3"
+    found = printed(
+        "verify", "s.toml", "--always", far, "--flow", "0.01", "--until", "1"
+    )
+    assert (found["status"], found["conclusion"]) == ("proved", "holds on every run")
+    near = "0.5: hypot(e[0], e[1]) < 0.05"
+    found = printed("verify", "s.toml", "--by", near, "--until", "1")
+    assert (found["status"], found["margin"] < 0.0) == ("refuted", True)
+
+
 # --- manners -------------------------------------------------------------------------------------
 
 CALLED = sorted({words[0] for words in COMMANDS} - {"--help"})
