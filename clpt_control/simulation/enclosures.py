@@ -200,7 +200,7 @@ def enclose(
     ...     parameters={"k": 1.0})
     >>> tube = clpt.enclose(tank, [0, 1], initial_state=[(1, 2)], params={"tank.k": (0.99, 1.01)})
     >>> tube.lower.values.round(3)[-1].item(), tube.upper.values.round(3)[-1].item()
-    (0.357, 0.747)
+    (0.36, 0.743)
     """
     return boxes(system, timepts, inputs, initial_state, params, pieces)
 
