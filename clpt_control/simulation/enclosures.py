@@ -11,12 +11,13 @@ import numpy as np
 
 from ..base.arguments import Count, attribute_of, brief, has, numbers, public
 from ..base.errors import ArgumentError, BlockError, SimulationError, Uncompiled
-from ..base.figures import BLUE, literal
+from ..base.figures import BLUE, GREY, legend_above_data, literal
 from ..base.labelled import Labelled, unit_of, unlabelled
+from ..base.units import printed_unit
 from ..engine.codegen.diagram_record import DiagramRecord, Form
 from ..engine.codegen.directional_derivatives import call_names, read_as_number
 from ..engine.codegen.series import Node
-from ..engine.diagram.wiring import wiring_of
+from ..engine.diagram.wiring import state_units, wiring_of
 from ..engine.enclosure.balls import Ball, between
 from ..engine.enclosure.curvature import tangents
 from ..engine.enclosure.noise import InputNoise
@@ -30,8 +31,8 @@ from ..engine.solver.inputs import Inputs
 from ..engine.solver.native_diagram import NativeDiagram
 from ..engine.solver.schedule import Schedule
 from ..engine.solver.termination import Solution
-from .comparison import panels_for
-from .diagram_runs import DiagramRun, distinct_labels, fields_of
+from .comparison import named, panels_for
+from .diagram_runs import DiagramRun, distinct_labels, fields_of, signal_units
 from .requests import Request, as_diagram, joined, request_of, start_of
 
 if TYPE_CHECKING:
@@ -282,6 +283,10 @@ def boxes(
     lost = {names[one.n + k]: why for one in runs for k, why in one.lost.items()}
     whose = "all states and outputs" + (f" but {', '.join(lost)}" if lost else "")
     tube = dataset_of(runs, names, f"{GUARANTEED} {whose}")
+    units = dict(zip(made.output_labels, signal_units(made.wiring), strict=False))
+    units |= zip(whole_labels(made.states), state_units(made.wiring), strict=True)
+    tube["units"] = "name", [units.get(name, "") for name in names]
+    tube = tube.set_coords("units")
     for name, why in lost.items():
         tube.attrs["message"] += f"; {name} has no box at some times, as {why}"
     # 3. whether runs are back where they began
@@ -540,15 +545,23 @@ def tube_plot(tube: "xarray.Dataset", *, ax: Any = None) -> Any:
     >>> axes = tube_plot(clpt.enclose(lag, [0.0, 1.0, 2.0], [(0.9, 1.1)]))
     """
     names = tube.name.values[:MOST_PANELS].tolist()
+    ports = ports_of(names)
     axes = panels_for(ax, len(names), "tube.sel(name=['x[0]'])")
     panels, time = np.ravel(axes), tube.time.values
     for panel, name in zip(panels, names, strict=True):
         box = tube.sel(name=name)
-        panel.fill_between(
-            time, box.over_lower, box.over_upper, step="pre", alpha=0.25, linewidth=0
-        )
-        for bound in (box.lower, box.upper):
-            panel.plot(time, bound, color=BLUE, linewidth=1.1)
-        panel.set_ylabel(literal(name))
+        style = {"step": "pre", "alpha": 0.25, "linewidth": 0, "color": BLUE}
+        over = box.over_lower, box.over_upper
+        panel.fill_between(time, *over, **style, label="over each interval")
+        for bound, label in ((box.lower, "at the times"), (box.upper, "_")):
+            panel.plot(time, bound, color=BLUE, linewidth=1.1, label=label)
+        bounded = np.flatnonzero(np.isfinite(box.lower))
+        if len(bounded) and bounded[-1] < len(time) - 1:
+            end = {"color": GREY, "linestyle": ":", "label": "boxes end"}
+            panel.axvline(time[bounded[-1]], **end)
+        port = name.partition("[")[0]
+        text = port if len(ports[port]) == 1 else name
+        panel.set_ylabel(literal(named(text, printed_unit(str(box.units.item())))))
+    legend_above_data(panels[0])
     panels[-1].set_xlabel("time")
     return axes

@@ -329,7 +329,18 @@ def test_the_tube_is_drawn():
     tube = clpt.enclose(of_decay(), [0, 1, 2], {"d": (-0.1, 0.1)}, [1.0])
     assert tube.clpt.kind == "tube"
     (axes,) = np.ravel(tube.clpt.plot())
-    assert axes.get_ylabel() == "x[0]"
+    assert axes.get_ylabel() == "x"
+    texts = [text.get_text() for text in axes.get_legend().get_texts()]
+    assert texts == ["over each interval", "at the times"]
+    grows = control.nlsys(
+        lambda t, x, u, p: [x[0] ** 2], states=["x"], inputs=0, name="grows"
+    )
+    grows.units = {"x": "m s-1"}
+    ended = clpt.enclose(grows, [0, 0.5, 0.9, 1.2], initial_state=[(0.9, 1.0)])
+    (axes,) = np.ravel(ended.clpt.plot())
+    assert axes.get_ylabel() == "x (m/s)"
+    assert axes.lines[-1].get_label() == "boxes end"
+    assert axes.lines[-1].get_xdata()[0] == 0.9
     assert np.all(tube.over_lower[1:] <= np.minimum(tube.lower[1:], tube.lower[:-1]))
 
 

@@ -374,7 +374,7 @@ def _verdict(
         return RunVerdict(
             "proved",
             f"{texts} {HOLDS}",
-            conclusion=HOLDS,
+            conclusions=(HOLDS,),
             conditions=conditions,
             steps=tuple(steps),
             **more,
