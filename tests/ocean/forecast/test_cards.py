@@ -311,7 +311,7 @@ def test_the_factor_on_speed_is_beside_that_of_a_week_ago():
     found = told(vehicle(3, 60, fault=30, lost=0.2))
     rows = found["each_dive"]
     text, _ = card_of(found, "Factor on speed")
-    now, before = map(float, re.findall(r"(\d\.\d\d) \+- ", text))
+    now, before = map(float, re.findall(r"(\d\.\d\d) ± ", text))
     assert now < before - 0.1
     (number,) = re.findall(r"a week ago .*, dive (\d+)", text)
     ended = {row["dive"]: row["end_time"] for row in rows}
