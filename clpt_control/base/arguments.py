@@ -65,7 +65,6 @@ EXAMPLES = {  # argument -> example for its message
     "blocks": "[plant, controller]",
     "at": "{'angle': 0.5}",
     "within": "{'angle': (-1.0, 1.0)}",
-    "where": "{'torque': (-1.0, 1.0)}",
     "parameters": "{'k': (start, low, high)}",
     "box": "(41, 41.5, -69.9, -69.1): south, north, west, east",
     "inputs": "{'e': 2}",

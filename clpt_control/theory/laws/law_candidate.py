@@ -32,6 +32,7 @@ from ..algebra.sums_of_squares import rising_in, split_dead_zone, squares
 from ..proofs.answers import Definite, Fall, Refutation
 from ..proofs.conclusions import Condition, Status
 from ..proofs.judge import LyapunovCandidate, Verdict
+from ..proofs.losses import excess_over
 from ..proofs.outside import CLOCK
 from ..proofs.point_search import Failure, PointSearch
 from ..proofs.rate_as_sum import Ways, of_system
@@ -237,7 +238,7 @@ class LawCandidate(LoopCandidate, SystemCandidate):
 
     def _below_decay(self) -> tuple[Expr, bool, str]:
         """Return what V' has beyond its decay, or half of it, if that falls, and the decay."""
-        residual = self.excess(self.decay)
+        residual = excess_over(self.rate, self.decay)
         for share, ending in ((S.Zero, ""), (S.Half, "/2")):
             above = residual + share * self.decay
             if self.rises and self.never_positive(above):

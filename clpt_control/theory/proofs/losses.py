@@ -9,14 +9,22 @@ from itertools import islice, product
 from typing import Any
 
 import sympy
-from sympy import Add, Dummy, Expr, Mul, S, expand
+from sympy import Add, Dummy, Expr, Mul, S, Symbol, expand
 
 from ...engine.diagram.symbol_names import TIME
 from ..algebra.decided import decided
-from ..algebra.exact import factored, groups_of, normal_form, whole_coefficients
-from ..algebra.facts import functions_in, has_time, inputs_in, sector_of
+from ..algebra.exact import (
+    as_factors,
+    factored,
+    groups_of,
+    normal_form,
+    vanishes,
+    whole_coefficients,
+)
+from ..algebra.facts import SIGN, functions_in, has_time, inputs_in, sector_of
 from ..algebra.slopes import in_known_pieces, slope_in
 from ..algebra.sums_of_squares import alone_in_groups, lost_forms
+from ..algebra.texts import outward
 from .outside import ANGLES
 from .relations import in_errors
 from .where import MOST_CORNERS
@@ -63,6 +71,35 @@ def lost_slowly(case: Any, bound: Expr) -> Sequence[Expr]:
     f = Mul(*(e for e in factors if e.free_symbols <= {TIME} and not inputs_in(e)))
     is_slow = not case.eq.discrete and _has_no_integral(f)
     return lost_forms(Mul(*factors) / f, case.fixed, set()) if is_slow else []
+
+
+def excess_over(rate: Expr, claim: Expr) -> Expr:
+    """Return what V' has above a claim."""
+    excess = normal_form(rate - claim)
+    powers = excess.atoms(sympy.Pow)
+    divisors = [p.base for p in powers if p.exp.is_negative]
+    if sympy.Tuple(*divisors).has(TIME):  # gains of time, which may cancel
+        excess = as_factors(excess)
+    signed = {a: a.args[0] * SIGN(*a.args) for a in excess.atoms(sympy.Abs)}
+    is_zero = powers and vanishes(excess.xreplace(signed))
+    return S.Zero if is_zero else excess
+
+
+def decay_and_end(case: Any, bound: Expr) -> tuple[Expr | None, Expr | None]:
+    """Return V(0) e^(-k t) of V' <= -k V, and the time after which V is 0; None for neither."""
+    powers = {} if case.eq.discrete else powers_lost(case, bound)
+    k, start = powers.pop(S.One, None), Symbol("V(0)", positive=True)
+    decay = end = None
+    if k is not None:
+        shares = map(case.in_signals, sympy.Min.make_args(k))
+        k = sympy.Min(*map(factored, shares))
+        k = outward(k, up=False, keeps_short=True) if k.is_number else k
+        decay = start * sympy.exp(-k * TIME)
+    if powers and not case.eq.jumps:
+        ((q, k), *_) = powers.items()
+        end = case.in_signals(start ** (1 - q) / (k * (1 - q)))
+        end = outward(end, keeps_short=True)
+    return decay, end
 
 
 def powers_lost(case: Any, bound: Expr) -> dict[Expr, Expr]:

@@ -38,15 +38,15 @@ from ..algebra.exact import (
     vanishes,
     without_rounding,
 )
-from ..algebra.facts import SIGN, has_time, is_continuous
+from ..algebra.facts import has_time, is_continuous
 from ..algebra.slopes import along, meets_smoothly, slope_in
 from ..algebra.sums_of_squares import squares
-from ..algebra.texts import double, outward
+from ..algebra.texts import double
 from .answers import Definite, Fall, Refutation
 from .between import as_relation, assume
 from .conclusions import Condition, Status
 from .judge import LyapunovCandidate, Verdict, asked
-from .losses import forms_lost, lost_slowly, powers_lost
+from .losses import decay_and_end, excess_over, forms_lost, lost_slowly
 from .point_search import Failure, PointSearch
 from .pushed_claims import mean_of
 from .rate_as_sum import Ways, of_system
@@ -399,7 +399,7 @@ class SystemCandidate(LyapunovCandidate):
         claim = said("V' = {}", self.readable_rate(self.rate))
         if self.claim is not None:
             bound, claim = self.claim, said("V' <= {}", self.text(self.claim))
-            holds = self.never_positive(excess := self.excess(bound))
+            holds = self.never_positive(excess := excess_over(self.rate, bound))
             detail = "" if holds else said("left over: {}", excess)
             steps.append(exact(claim, holds, detail, "claimed"))
             if not holds:
@@ -438,19 +438,10 @@ class SystemCandidate(LyapunovCandidate):
         losses = forms_lost(self, bound, bounded)
         if not claim.endswith("= 0"):
             claim = said("{} <= 0", claim)
-        powers = {} if self.eq.discrete else powers_lost(self, bound)
-        k, start, decay = powers.pop(S.One, None), Symbol("V(0)", positive=True), None
-        if k is not None:
-            shares = map(self.in_signals, sympy.Min.make_args(k))
-            k = sympy.Min(*map(factored, shares))
-            k = outward(k, up=False, keeps_short=True) if k.is_number else k
-            decay = start * sympy.exp(-k * TIME)
-        if powers and not self.eq.jumps:
-            ((q, k), *_) = powers.items()
-            time = self.in_signals(start ** (1 - q) / (k * (1 - q)))
-            time = outward(time, keeps_short=True)
+        decay, time = decay_and_end(self, bound)
+        if time is not None:
             claim = said("{}, V is 0 after the time {}", claim, time)
-        shows = "falls" + " loses" * bool(losses) + " rest" * ("after" in claim)
+        shows = "falls" + " loses" * bool(losses) + " rest" * (time is not None)
         shows += " decays" * (decay is not None)
         steps.append(exact(said("{}{}", claim, where), True, "", shows))
         return Fall(
@@ -478,17 +469,6 @@ class SystemCandidate(LyapunovCandidate):
         conditions = [*bound.conditions, *conditions]
         steps = [*claimed, *bound.steps]
         return replace(bound, steps=steps, claim=both_claims, conditions=conditions)
-
-    def excess(self, claim: Expr) -> Expr:
-        """Return what V' has above a claim."""
-        excess = normal_form(self.rate - claim)
-        powers = excess.atoms(sympy.Pow)
-        divisors = [p.base for p in powers if p.exp.is_negative]
-        if sympy.Tuple(*divisors).has(TIME):  # gains of time, which may cancel
-            excess = as_factors(excess)
-        signed = {a: a.args[0] * SIGN(*a.args) for a in excess.atoms(sympy.Abs)}
-        is_zero = powers and vanishes(excess.xreplace(signed))
-        return S.Zero if is_zero else excess
 
     def conditions(self, zeroed: list[str]) -> list[Condition]:
         """Return where V' is as shown."""
