@@ -250,6 +250,7 @@ def right(tmp_path_factory):
             "lyapunov": {**LINEAR, "where": None},
             "observer": LINEAR,
             "enclose": {**LINEAR, "timepts": [0.0, 1.0]},
+            "verify": {**LINEAR, "timepts": [0.0, 1.0], "always": "t < 9"},
             "kalman_filter": LINEAR,
         },
         "Replay.step": {"self": clpt.replay.replay_dives(DIVES[:3]), "dive": DIVES[5]},

@@ -41,6 +41,7 @@ USES = (
     f"ensemble s.toml --out out.zarr --json {VARY}",
     f"ensemble s.toml --out begun.zarr --json {VARY} | begun.zarr",
     "excitation s.toml --bounds --json",
+    "verify s.toml --always t<9 --until 0.01 --json",
     "fit grid.nc --rows 2 --columns 2 --out out.toml --json",
     "replay dives.csv --out out --json",
     "replay dives.csv --flow-model model.nc --json | model.nc",

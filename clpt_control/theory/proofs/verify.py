@@ -9,6 +9,7 @@ corners of the set, at random members, and by descent of the least margin.
 """
 
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -119,7 +120,9 @@ def verify(
     pieces: Count = 16,
     seed: Seed = 0,
 ) -> RunVerdict:
-    """Judge a specification of all runs from a set: proved, refuted by a run, or open.
+    """Judge a specification of all runs from a set.
+
+    Proved by boxes of all runs, refuted by one run and the box around it, or open.
 
     Parameters
     ----------
@@ -263,7 +266,8 @@ def _read(
     if not specs:
         raise ArgumentError("verify: has no specification. Give always=, never= or by=")
     times = timepts if timepts is None else numbers("timepts", timepts)
-    if times is not None and _are_held(inputs, len(times)):
+    is_row = times is not None and times.ndim == 1 and times.size > 0
+    if times is not None and is_row and _are_held(inputs, len(times)):
         dt = as_diagram(system)[0].dt
         span, count = float(times[-1] - times[0]), max(TIMES, len(times))
         extra = times[0] + span * np.linspace(0.0, 1.0, count + 1)
@@ -292,13 +296,15 @@ def _at_times(specs: list[Specification], times: np.ndarray) -> list[Specificati
 
 
 def _are_held(inputs: Any, count: int) -> bool:
-    """Return whether no input has a sample for each of some times."""
+    """Return whether no input has a sample for each of some times; others are refused later."""
     entries = inputs.values() if isinstance(inputs, Mapping) else inputs
-    if inputs is None or (np.ndim(inputs) == 0 and not isinstance(inputs, Mapping)):
-        return True
-    ends = [one[0] if is_pair(one) else one for one in entries]
-    are_rows = not isinstance(inputs, Mapping) and len(ends) == count
-    return not are_rows and all(np.ndim(end) == 0 for end in ends)
+    with suppress(TypeError, ValueError):
+        if inputs is None or (np.ndim(inputs) == 0 and not isinstance(inputs, Mapping)):
+            return True
+        ends = [one[0] if is_pair(one) else one for one in entries]
+        are_rows = not isinstance(inputs, Mapping) and len(ends) == count
+        return not are_rows and all(np.ndim(end) == 0 for end in ends)
+    return False
 
 
 def _is_proved(spec: Specification, name: str, tube: "xarray.Dataset") -> bool:
