@@ -319,6 +319,7 @@ def test_a_time_of_samples_is_found_to_its_rounding():
         clpt.verify(*arguments, by=(0.35, "x > 0.2999"))
 
 
+@pytest.mark.long  # seconds: the boxes of a whole loop
 def test_times_of_a_scenario_are_those_of_its_run():
     scenario = clpt.paper_scenario().with_values({"run.duration": 2.0})
     with pytest.raises(clpt.ArgumentError, match="is no time of the run"):

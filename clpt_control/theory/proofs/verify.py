@@ -389,7 +389,9 @@ def _verdict(
     of = tube.sel(name=names[proved.index(False)])
     rows = _rows(spec, times)
     unknown = ~(spec.holds(of.lower.values) & spec.holds(of.over_lower.values))[rows]
-    at = times[rows][np.argmax(unknown)] if unknown.any() else times[-1]
+    # the interval before the first time that is undecided
+    k = max(int(np.argmax(unknown)) - 1, 0) if unknown.any() else -1
+    at = times[rows][k]
     claim = f"{spec.claim} is not decided from t = {at:.9g} on"
     if "the boxes end there" in tube.message:
         claim += (

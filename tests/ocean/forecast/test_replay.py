@@ -49,7 +49,7 @@ def test_mistakes_are_sentences():
     refuses(
         "must be finite", replay.step, replace(dives[1], t_gpse=2e9, gps_east=math.nan)
     )
-    said = "'p5420304.nc'.*must be Iterable.Dive.*read_dives"
+    said = "'p5420304.nc'.*must be a list of Dives.*read_dives"
     refuses(said, replay_dives, ["p5420304.nc"], error=ArgumentError)
 
 
