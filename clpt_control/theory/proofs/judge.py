@@ -65,10 +65,9 @@ class Verdict(Judged):
         ``"proved"``: `conclusion` holds under `conditions`; ``"refuted"``: the running blocks show
         at `point` that V' > 0, that V' is above the claim, or that V is no least value; or V rises
         at a jump from `point` to `after`; ``"open"``: none of these is known.
-    conclusion : str
-        Of a proof: "goes to zero", "ultimately bounded", ...: a row of the table of docs/theory.md.
     conclusions : tuple of str
-        All rows that follow, that of `conclusion` first: ``verdict.implies("goes to zero")``.
+        Of a proof: "goes to zero", "ultimately bounded", ...: rows of the table of docs/theory.md
+        that follow, the strongest first, `conclusion`: ``verdict.implies("goes to zero")``.
     conditions : tuple of Condition
         Where it holds: "for t >= 0", "where u = 0", "x is not held by V, and bounded", ...
     claim : str
