@@ -3,6 +3,7 @@
 import control
 import numpy as np
 import pytest
+import slope_limiter
 
 import clpt_control as clpt
 
@@ -101,15 +102,8 @@ def test_a_stop_at_a_sample_is_the_sample_of_simulate(beside):
 
 
 def limited(t, x, u, p):
-    """Rates of Burgers' equation with a slope limiter (minmod), on 20 cells: 100 kinks."""
-    ahead = np.roll(x, -1) - x
-    behind = np.roll(ahead, 1)
-    smaller = np.where(np.abs(ahead) < np.abs(behind), ahead, behind)
-    slope = np.where(ahead * behind > 0, smaller, 0.0)
-    left, right = x + 0.5 * slope, np.roll(x - 0.5 * slope, -1)
-    speed = np.maximum(np.abs(left), np.abs(right))
-    flux = 0.25 * (left**2 + right**2) - 0.5 * speed * (right - left)
-    return -p["k"] * (flux - np.roll(flux, 1)) * len(x)
+    """Rates of Burgers' equation with a slope limiter, on 20 cells: 100 kinks."""
+    return p["k"] * slope_limiter.limited(x)
 
 
 def root_at_k(t, x, u, p):

@@ -4,6 +4,7 @@ import control
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
+from slope_limiter import limited
 
 import clpt_control as clpt
 
@@ -11,18 +12,6 @@ CELLS = 100
 TIMES = np.linspace(0.0, 0.4, 21)
 PLACES = (np.arange(CELLS) + 0.5) / CELLS
 WAVE = 1.2 + np.sin(2 * np.pi * PLACES)
-
-
-def limited(x):
-    """Return the rates of Burgers' equation with a slope limiter (minmod)."""
-    ahead = np.roll(x, -1) - x
-    behind = np.roll(ahead, 1)
-    smaller = np.where(np.abs(ahead) < np.abs(behind), ahead, behind)
-    slope = np.where(ahead * behind > 0, smaller, 0.0)
-    left, right = x + 0.5 * slope, np.roll(x - 0.5 * slope, -1)
-    speed = np.maximum(np.abs(left), np.abs(right))
-    flux = 0.25 * (left**2 + right**2) - 0.5 * speed * (right - left)
-    return -(flux - np.roll(flux, 1)) * len(x)
 
 
 def cells(t, x, u, p):
