@@ -21,8 +21,9 @@ from ..engine.diagram.wiring import state_units, wiring_of
 from ..engine.enclosure.balls import Ball, between
 from ..engine.enclosure.curvature import tangents
 from ..engine.enclosure.noise import InputNoise
+from ..engine.enclosure.pieces import enclosed
 from ..engine.enclosure.set_program import DECIDED, SetProgram
-from ..engine.enclosure.sets import MOST_STEPS, Enclosure, enclosed
+from ..engine.enclosure.sets import MOST_STEPS, Enclosure
 from ..engine.model.declaration import same_unit
 from ..engine.model.ports import ports_of, whole_labels
 from ..engine.record.unread import Unread

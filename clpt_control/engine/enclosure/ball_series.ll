@@ -1,4 +1,4 @@
-; sha256 f21f1814cacd1e6d1cffa5ce0859203eb9be6a81a0ee6e0349d3eac5a6b12be0 31be26a722ff8d1d0c7ad7bd7fbf79633dbefac021431ebbc64dcf9e19acb011, Python 3.11, numba 0.68.1
+; sha256 1c93631cc5a7996cd7084a167317109c093fc7c6aee71ef20811975f46d1c240 7571a52ba09cc5026d3e18cc69b9ae0a774dc7986e890ff5818e4fea5b16257c, Python 3.11, numba 0.68.1
 
 ; Function Attrs: nofree norecurse nosync nounwind memory(argmem: readwrite)
 define dso_local noundef i32 @coefficients_of_many(ptr noalias %v0, ptr noalias readnone %v1, ptr readnone %v2, ptr readnone %v3, i64 %v4, i64 %v5, ptr %v6, i64 %v7, i64 %v8, i64 %v9, i64 %v10, i64 %v11, i64 %v12, ptr readnone %v13, ptr readnone %v14, i64 %v15, i64 %v16, ptr %v17, i64 %v18, i64 %v19, i64 %v20, i64 %v21, i64 %v22, i64 %v23, ptr readnone %v24, ptr readnone %v25, i64 %v26, i64 %v27, ptr readonly %v28, i64 %v29, i64 %v30, i64 %v31, i64 %v32, ptr readnone %v33, ptr readnone %v34, i64 %v35, i64 %v36, ptr readonly %v37, i64 %v38, i64 %v39, i64 %v40, i64 %v41, ptr readnone %v42, ptr readnone %v43, i64 %v44, i64 %v45, ptr readonly %v46, i64 %v47, i64 %v48, i64 %v49, i64 %v50, ptr readnone %v51, ptr readnone %v52, i64 %v53, i64 %v54, ptr readonly %v55, i64 %v56, i64 %v57, i64 %v58, i64 %v59, i64 %v60, i64 %v61, i64 %v62, i64 %v63) local_unnamed_addr {
@@ -290,381 +290,388 @@ v321:
   %v327 = getelementptr double, ptr %v326, i64 %v325
   %v328 = load double, ptr %v327, align 8
   %v329 = fmul double %v323, %v328
-  %v330 = select i1 %v324, i64 %v20, i64 0
-  %v331 = getelementptr double, ptr %v246, i64 %v310
-  %v332 = getelementptr double, ptr %v331, i64 %v330
-  %v333 = load double, ptr %v332, align 8
+  %v330 = tail call double @llvm.fabs.f64(double %v323)
+  %v331 = select i1 %v324, i64 %v20, i64 0
+  %v332 = getelementptr double, ptr %v246, i64 %v310
+  %v333 = getelementptr double, ptr %v332, i64 %v331
+  %v334 = load double, ptr %v333, align 8
+  %v335 = fmul double %v330, %v334
+  %v336 = fcmp une double %v330, 1.000000e+00
+  %v337 = tail call double @llvm.fabs.f64(double %v329)
+  %v338 = select i1 %v336, double %v337, double 0.000000e+00
   br label %v322
 
 v322:
-  %v334 = phi double [ %v329, %v321 ], [ 0.000000e+00, %v309 ]
-  %v335 = phi double [ %v333, %v321 ], [ 0.000000e+00, %v309 ]
-  br i1 %v247, label %v336, label %v337
+  %v339 = phi double [ %v329, %v321 ], [ 0.000000e+00, %v309 ]
+  %v340 = phi double [ %v335, %v321 ], [ 0.000000e+00, %v309 ]
+  %v341 = phi double [ %v338, %v321 ], [ 0.000000e+00, %v309 ]
+  br i1 %v247, label %v342, label %v343
 
-v336:
-  %v338 = load double, ptr %v252, align 8
-  %v339 = icmp slt i64 %v310, 0
-  %v340 = select i1 %v339, i64 %v9, i64 0
-  %v341 = getelementptr double, ptr %v253, i64 %v310
-  %v342 = getelementptr double, ptr %v341, i64 %v340
-  %v343 = load double, ptr %v342, align 8
-  %v344 = fmul double %v338, %v343
-  %v345 = fadd double %v334, %v344
-  %v346 = tail call double @llvm.fabs.f64(double %v338)
-  %v347 = select i1 %v339, i64 %v20, i64 0
-  %v348 = getelementptr double, ptr %v254, i64 %v310
-  %v349 = getelementptr double, ptr %v348, i64 %v347
-  %v350 = load double, ptr %v349, align 8
-  %v351 = fmul double %v346, %v350
-  %v352 = fadd double %v335, %v351
-  %v353 = tail call double @llvm.fabs.f64(double %v344)
-  %v354 = tail call double @llvm.fabs.f64(double %v345)
-  %v355 = fadd double %v353, %v354
-  br label %v337
+v342:
+  %v344 = load double, ptr %v252, align 8
+  %v345 = icmp slt i64 %v310, 0
+  %v346 = select i1 %v345, i64 %v9, i64 0
+  %v347 = getelementptr double, ptr %v253, i64 %v310
+  %v348 = getelementptr double, ptr %v347, i64 %v346
+  %v349 = load double, ptr %v348, align 8
+  %v350 = fmul double %v344, %v349
+  %v351 = fadd double %v339, %v350
+  %v352 = tail call double @llvm.fabs.f64(double %v344)
+  %v353 = select i1 %v345, i64 %v20, i64 0
+  %v354 = getelementptr double, ptr %v254, i64 %v310
+  %v355 = getelementptr double, ptr %v354, i64 %v353
+  %v356 = load double, ptr %v355, align 8
+  %v357 = fmul double %v352, %v356
+  %v358 = fadd double %v340, %v357
+  %v359 = tail call double @llvm.fabs.f64(double %v350)
+  %v360 = fadd double %v341, %v359
+  %v361 = tail call double @llvm.fabs.f64(double %v351)
+  %v362 = fadd double %v360, %v361
+  br label %v343
 
-v337:
-  %v356 = phi double [ %v345, %v336 ], [ %v334, %v322 ]
-  %v357 = phi double [ %v352, %v336 ], [ %v335, %v322 ]
-  %v358 = phi double [ %v355, %v336 ], [ 0.000000e+00, %v322 ]
+v343:
+  %v363 = phi double [ %v351, %v342 ], [ %v339, %v322 ]
+  %v364 = phi double [ %v358, %v342 ], [ %v340, %v322 ]
+  %v365 = phi double [ %v362, %v342 ], [ %v341, %v322 ]
   %v320 = select i1 %v256, i64 0, i64 %v319
   %v318 = select i1 %v256, i64 0, i64 %v317
-  br i1 %v215, label %v359, label %v360
+  br i1 %v215, label %v366, label %v367
 
-v359:
-  %v361 = add nsw i64 %v320, 1
-  %v362 = sub i64 %v361, %v318
-  %v363 = icmp slt i64 %v362, 1
-  br i1 %v363, label %v364, label %v365
+v366:
+  %v368 = add nsw i64 %v320, 1
+  %v369 = sub i64 %v368, %v318
+  %v370 = icmp slt i64 %v369, 1
+  br i1 %v370, label %v371, label %v372
 
-v365:
-  %v366 = icmp sgt i64 %v310, 0
-  %v367 = icmp slt i64 %v310, 0
-  %v368 = select i1 %v367, i64 %v9, i64 0
-  %v369 = select i1 %v367, i64 %v20, i64 0
-  br label %v370
+v372:
+  %v373 = icmp sgt i64 %v310, 0
+  %v374 = icmp slt i64 %v310, 0
+  %v375 = select i1 %v374, i64 %v9, i64 0
+  %v376 = select i1 %v374, i64 %v20, i64 0
+  br label %v377
+
+v378:
+  %v379 = load double, ptr %v380, align 8
+  %v381 = fmul double %v382, %v379
+  %v383 = load double, ptr %v384, align 8
+  %v385 = fmul double %v382, %v383
+  %v386 = getelementptr double, ptr %v387, i64 %v310
+  %v388 = getelementptr double, ptr %v386, i64 %v375
+  %v389 = load double, ptr %v388, align 8
+  %v390 = getelementptr double, ptr %v391, i64 %v310
+  %v392 = getelementptr double, ptr %v390, i64 %v376
+  %v393 = load double, ptr %v392, align 8
+  %v394 = fmul double %v381, %v389
+  %v395 = fadd double %v396, %v394
+  %v397 = tail call double @llvm.fabs.f64(double %v381)
+  %v398 = fmul double %v397, %v393
+  %v399 = tail call double @llvm.fabs.f64(double %v389)
+  %v400 = fadd double %v399, %v393
+  %v401 = fmul double %v385, %v400
+  %v402 = fadd double %v398, %v401
+  %v403 = fadd double %v404, %v402
+  %v405 = tail call double @llvm.fabs.f64(double %v394)
+  %v406 = fmul double %v272, %v405
+  %v407 = fadd double %v408, %v406
+  %v409 = tail call double @llvm.fabs.f64(double %v395)
+  %v410 = fadd double %v409, %v407
+  br label %v411
 
 v371:
-  %v372 = load double, ptr %v373, align 8
-  %v374 = fmul double %v375, %v372
-  %v376 = load double, ptr %v377, align 8
-  %v378 = fmul double %v375, %v376
-  %v379 = getelementptr double, ptr %v380, i64 %v310
-  %v381 = getelementptr double, ptr %v379, i64 %v368
-  %v382 = load double, ptr %v381, align 8
-  %v383 = getelementptr double, ptr %v384, i64 %v310
-  %v385 = getelementptr double, ptr %v383, i64 %v369
-  %v386 = load double, ptr %v385, align 8
-  %v387 = fmul double %v374, %v382
-  %v388 = fadd double %v389, %v387
-  %v390 = tail call double @llvm.fabs.f64(double %v374)
-  %v391 = fmul double %v390, %v386
-  %v392 = tail call double @llvm.fabs.f64(double %v382)
-  %v393 = fadd double %v392, %v386
-  %v394 = fmul double %v378, %v393
-  %v395 = fadd double %v391, %v394
-  %v396 = fadd double %v397, %v395
-  %v398 = tail call double @llvm.fabs.f64(double %v387)
-  %v399 = fmul double %v272, %v398
-  %v400 = fadd double %v401, %v399
-  %v402 = tail call double @llvm.fabs.f64(double %v388)
-  %v403 = fadd double %v402, %v400
-  br label %v404
+  %v412 = phi double [ %v364, %v366 ], [ %v413, %v414 ]
+  %v415 = phi double [ %v365, %v366 ], [ %v416, %v414 ]
+  %v417 = phi double [ 0.000000e+00, %v366 ], [ %v418, %v414 ]
+  %v419 = load double, ptr %v277, align 8
+  %v420 = fmul double %v417, %v419
+  %v421 = fadd double %v363, %v420
+  %v422 = tail call double @llvm.fabs.f64(double %v421)
+  %v423 = fadd double %v415, %v422
+  %v424 = icmp eq i64 %v310, 0
+  %v425 = select i1 %v279, i1 %v424, i1 false
+  %v426 = icmp eq i64 %v320, 0
+  %v427 = select i1 %v425, i1 %v426, i1 false
+  %v428 = select i1 %v427, i1 %v280, i1 false
+  br i1 %v428, label %v429, label %v367
 
-v364:
-  %v405 = phi double [ %v357, %v359 ], [ %v406, %v407 ]
-  %v408 = phi double [ %v358, %v359 ], [ %v409, %v407 ]
-  %v410 = phi double [ 0.000000e+00, %v359 ], [ %v411, %v407 ]
-  %v412 = load double, ptr %v277, align 8
-  %v413 = fmul double %v410, %v412
-  %v414 = fadd double %v356, %v413
-  %v415 = tail call double @llvm.fabs.f64(double %v414)
-  %v416 = fadd double %v408, %v415
-  %v417 = icmp eq i64 %v310, 0
-  %v418 = select i1 %v279, i1 %v417, i1 false
-  %v419 = icmp eq i64 %v320, 0
-  %v420 = select i1 %v418, i1 %v419, i1 false
-  %v421 = select i1 %v420, i1 %v280, i1 false
-  br i1 %v421, label %v422, label %v360
+v429:
+  %v430 = load double, ptr %v281, align 8
+  %v431 = tail call double @llvm.fabs.f64(double %v430)
+  %v432 = load double, ptr %v282, align 8
+  %v433 = fcmp olt double %v431, %v432
+  br i1 %v433, label %v434, label %v435
 
-v422:
-  %v423 = load double, ptr %v281, align 8
-  %v424 = tail call double @llvm.fabs.f64(double %v423)
-  %v425 = load double, ptr %v282, align 8
-  %v426 = fcmp olt double %v424, %v425
-  br i1 %v426, label %v427, label %v428
+v434:
+  %v436 = fadd double %v431, %v432
+  %v437 = fmul double %v436, 5.000000e-01
+  %v438 = fmul double %v436, %v437
+  %v439 = fmul double %v438, 4.000000e+00
+  br label %v367
 
-v427:
-  %v429 = fadd double %v424, %v425
-  %v430 = fmul double %v429, 5.000000e-01
-  %v431 = fmul double %v429, %v430
-  %v432 = fmul double %v431, 4.000000e+00
-  br label %v360
+v435:
+  %v440 = fmul double %v430, %v430
+  %v441 = fmul double %v432, %v432
+  %v442 = fadd double %v440, %v441
+  %v443 = fmul double %v431, 2.000000e+00
+  %v444 = fmul double %v432, %v443
+  %v445 = fmul double %v442, 3.000000e+00
+  br label %v367
 
-v428:
-  %v433 = fmul double %v423, %v423
-  %v434 = fmul double %v425, %v425
-  %v435 = fadd double %v433, %v434
-  %v436 = fmul double %v424, 2.000000e+00
-  %v437 = fmul double %v425, %v436
-  %v438 = fmul double %v435, 3.000000e+00
-  br label %v360
+v367:
+  %v446 = phi double [ %v438, %v434 ], [ %v442, %v435 ], [ %v421, %v371 ], [ %v363, %v343 ]
+  %v447 = phi double [ %v438, %v434 ], [ %v444, %v435 ], [ %v412, %v371 ], [ %v364, %v343 ]
+  %v448 = phi double [ %v439, %v434 ], [ %v445, %v435 ], [ %v423, %v371 ], [ %v365, %v343 ]
+  br i1 %v283, label %v449, label %v450
 
-v360:
-  %v439 = phi double [ %v431, %v427 ], [ %v435, %v428 ], [ %v414, %v364 ], [ %v356, %v337 ]
-  %v440 = phi double [ %v431, %v427 ], [ %v437, %v428 ], [ %v405, %v364 ], [ %v357, %v337 ]
-  %v441 = phi double [ %v432, %v427 ], [ %v438, %v428 ], [ %v416, %v364 ], [ %v358, %v337 ]
-  br i1 %v283, label %v442, label %v443
+v449:
+  %v451 = fdiv double %v446, %v158
+  %v452 = fdiv double %v447, %v158
+  %v453 = fdiv double %v448, %v158
+  %v454 = tail call double @llvm.fabs.f64(double %v451)
+  %v455 = fadd double %v454, %v453
+  br label %v450
 
-v442:
-  %v444 = fdiv double %v439, %v158
-  %v445 = fdiv double %v440, %v158
-  %v446 = fdiv double %v441, %v158
-  %v447 = tail call double @llvm.fabs.f64(double %v444)
-  %v448 = fadd double %v447, %v446
-  br label %v443
-
-v443:
-  %v449 = phi double [ %v444, %v442 ], [ %v439, %v360 ]
-  %v450 = phi double [ %v445, %v442 ], [ %v440, %v360 ]
-  %v451 = phi double [ %v448, %v442 ], [ %v441, %v360 ]
-  %v452 = load i64, ptr %v284, align 8
-  %v453 = icmp sgt i64 %v452, -1
-  br i1 %v453, label %v454, label %v312
-
-v454:
-  %v455 = load double, ptr %v289, align 8
-  %v456 = icmp slt i64 %v310, 1
-  %v457 = icmp eq i64 %v452, %v191
-  %v458 = select i1 %v156, i1 %v457, i1 false
-  %v459 = select i1 %v456, i1 true, i1 %v458
-  br i1 %v459, label %v460, label %v461
+v450:
+  %v456 = phi double [ %v451, %v449 ], [ %v446, %v367 ]
+  %v457 = phi double [ %v452, %v449 ], [ %v447, %v367 ]
+  %v458 = phi double [ %v455, %v449 ], [ %v448, %v367 ]
+  %v459 = load i64, ptr %v284, align 8
+  %v460 = icmp sgt i64 %v459, -1
+  br i1 %v460, label %v461, label %v312
 
 v461:
-  %v462 = load double, ptr %v294, align 8
-  %v463 = load double, ptr %v298, align 8
-  %v464 = mul i64 %v452, %v100
-  %v465 = getelementptr double, ptr %v6, i64 %v464
-  %v466 = getelementptr double, ptr %v465, i64 %v310
-  %v467 = load double, ptr %v466, align 8
-  %v468 = fmul double %v455, %v467
-  %v469 = mul i64 %v452, %v101
-  %v470 = getelementptr double, ptr %v17, i64 %v469
-  %v471 = getelementptr double, ptr %v470, i64 %v310
-  %v472 = load double, ptr %v471, align 8
-  %v473 = fmul double %v455, %v472
-  %v474 = fmul double %v462, %v468
-  %v475 = fsub double %v449, %v474
-  %v476 = tail call double @llvm.fabs.f64(double %v462)
-  %v477 = fmul double %v476, %v473
-  %v478 = tail call double @llvm.fabs.f64(double %v468)
-  %v479 = fadd double %v478, %v473
-  %v480 = fmul double %v463, %v479
-  %v481 = fadd double %v477, %v480
-  %v482 = fadd double %v450, %v481
-  %v483 = tail call double @llvm.fabs.f64(double %v474)
-  %v484 = fadd double %v451, %v483
+  %v462 = load double, ptr %v289, align 8
+  %v463 = icmp slt i64 %v310, 1
+  %v464 = icmp eq i64 %v459, %v191
+  %v465 = select i1 %v156, i1 %v464, i1 false
+  %v466 = select i1 %v463, i1 true, i1 %v465
+  br i1 %v466, label %v467, label %v468
+
+v468:
+  %v469 = load double, ptr %v294, align 8
+  %v470 = load double, ptr %v298, align 8
+  %v471 = mul i64 %v459, %v100
+  %v472 = getelementptr double, ptr %v6, i64 %v471
+  %v473 = getelementptr double, ptr %v472, i64 %v310
+  %v474 = load double, ptr %v473, align 8
+  %v475 = fmul double %v462, %v474
+  %v476 = mul i64 %v459, %v101
+  %v477 = getelementptr double, ptr %v17, i64 %v476
+  %v478 = getelementptr double, ptr %v477, i64 %v310
+  %v479 = load double, ptr %v478, align 8
+  %v480 = fmul double %v462, %v479
+  %v481 = fmul double %v469, %v475
+  %v482 = fsub double %v456, %v481
+  %v483 = tail call double @llvm.fabs.f64(double %v469)
+  %v484 = fmul double %v483, %v480
   %v485 = tail call double @llvm.fabs.f64(double %v475)
-  %v486 = fadd double %v484, %v485
-  br label %v460
+  %v486 = fadd double %v485, %v480
+  %v487 = fmul double %v470, %v486
+  %v488 = fadd double %v484, %v487
+  %v489 = fadd double %v457, %v488
+  %v490 = tail call double @llvm.fabs.f64(double %v481)
+  %v491 = fadd double %v458, %v490
+  %v492 = tail call double @llvm.fabs.f64(double %v482)
+  %v493 = fadd double %v491, %v492
+  br label %v467
 
-v460:
-  %v487 = phi double [ %v449, %v454 ], [ %v475, %v461 ]
-  %v488 = phi double [ %v450, %v454 ], [ %v482, %v461 ]
-  %v489 = phi double [ %v451, %v454 ], [ %v486, %v461 ]
-  %v490 = mul i64 %v102, %v452
-  %v491 = getelementptr double, ptr %v6, i64 %v490
-  %v492 = load double, ptr %v491, align 8
-  %v493 = fmul double %v455, %v492
-  %v494 = mul i64 %v103, %v452
-  %v495 = getelementptr double, ptr %v17, i64 %v494
-  %v496 = load double, ptr %v495, align 8
-  %v497 = fmul double %v455, %v496
-  %v498 = fdiv double %v487, %v493
-  %v499 = tail call double @llvm.fabs.f64(double %v493)
-  %v500 = fsub double %v499, %v497
-  %v501 = fcmp ogt double %v500, 0.000000e+00
-  br i1 %v501, label %v502, label %v503
+v467:
+  %v494 = phi double [ %v456, %v461 ], [ %v482, %v468 ]
+  %v495 = phi double [ %v457, %v461 ], [ %v489, %v468 ]
+  %v496 = phi double [ %v458, %v461 ], [ %v493, %v468 ]
+  %v497 = mul i64 %v102, %v459
+  %v498 = getelementptr double, ptr %v6, i64 %v497
+  %v499 = load double, ptr %v498, align 8
+  %v500 = fmul double %v462, %v499
+  %v501 = mul i64 %v103, %v459
+  %v502 = getelementptr double, ptr %v17, i64 %v501
+  %v503 = load double, ptr %v502, align 8
+  %v504 = fmul double %v462, %v503
+  %v505 = fdiv double %v494, %v500
+  %v506 = tail call double @llvm.fabs.f64(double %v500)
+  %v507 = fsub double %v506, %v504
+  %v508 = fcmp ogt double %v507, 0.000000e+00
+  br i1 %v508, label %v509, label %v510
 
-v502:
-  %v504 = fmul double %v489, 0x3CA0000000000000
-  %v505 = fadd double %v488, %v504
-  %v506 = fadd double %v505, 0x20B0000000000000
-  %v507 = tail call double @llvm.fabs.f64(double %v498)
-  %v508 = fmul double %v497, %v507
-  %v509 = fadd double %v506, %v508
-  %v510 = fdiv double %v509, %v500
-  br label %v503
+v509:
+  %v511 = fmul double %v496, 0x3CA0000000000000
+  %v512 = fadd double %v495, %v511
+  %v513 = fadd double %v512, 0x20B0000000000000
+  %v514 = tail call double @llvm.fabs.f64(double %v505)
+  %v515 = fmul double %v504, %v514
+  %v516 = fadd double %v513, %v515
+  %v517 = fdiv double %v516, %v507
+  br label %v510
 
-v503:
-  %v511 = phi double [ %v510, %v502 ], [ 0x7FF0000000000000, %v460 ]
-  %v512 = tail call double @llvm.fabs.f64(double %v498)
+v510:
+  %v518 = phi double [ %v517, %v509 ], [ 0x7FF0000000000000, %v467 ]
+  %v519 = tail call double @llvm.fabs.f64(double %v505)
   br label %v312
 
 v312:
-  %v513 = phi double [ %v498, %v503 ], [ %v449, %v443 ]
-  %v514 = phi double [ %v511, %v503 ], [ %v450, %v443 ]
-  %v515 = phi double [ %v512, %v503 ], [ %v451, %v443 ]
-  %v516 = icmp slt i64 %v310, 0
-  %v517 = select i1 %v516, i64 %v9, i64 0
-  %v518 = getelementptr double, ptr %v303, i64 %v310
-  %v519 = getelementptr double, ptr %v518, i64 %v517
-  store double %v513, ptr %v519, align 8
-  %v520 = fmul double %v515, 0x3CA0000000000000
-  %v521 = fadd double %v514, %v520
-  %v522 = fmul double %v521, 0x3FF0000000000200
-  %v523 = fadd double %v522, 0x20B0000000000000
-  %v524 = select i1 %v516, i64 %v20, i64 0
-  %v525 = getelementptr double, ptr %v307, i64 %v310
+  %v520 = phi double [ %v505, %v510 ], [ %v456, %v450 ]
+  %v521 = phi double [ %v518, %v510 ], [ %v457, %v450 ]
+  %v522 = phi double [ %v519, %v510 ], [ %v458, %v450 ]
+  %v523 = icmp slt i64 %v310, 0
+  %v524 = select i1 %v523, i64 %v9, i64 0
+  %v525 = getelementptr double, ptr %v303, i64 %v310
   %v526 = getelementptr double, ptr %v525, i64 %v524
-  store double %v523, ptr %v526, align 8
-  %v527 = icmp sgt i64 %v313, 0
-  %v528 = zext i1 %v527 to i64
-  %v316 = add i64 %v315, %v528
-  %v529 = sext i1 %v527 to i64
-  %v314 = add nsw i64 %v313, %v529
-  %v311 = select i1 %v527, i64 %v315, i64 0
-  br i1 %v527, label %v309, label %v181
+  store double %v520, ptr %v526, align 8
+  %v527 = fmul double %v522, 0x3CA0000000000000
+  %v528 = fadd double %v521, %v527
+  %v529 = fmul double %v528, 0x3FF0000000000200
+  %v530 = fadd double %v529, 0x20B0000000000000
+  %v531 = select i1 %v523, i64 %v20, i64 0
+  %v532 = getelementptr double, ptr %v307, i64 %v310
+  %v533 = getelementptr double, ptr %v532, i64 %v531
+  store double %v530, ptr %v533, align 8
+  %v534 = icmp sgt i64 %v313, 0
+  %v535 = zext i1 %v534 to i64
+  %v316 = add i64 %v315, %v535
+  %v536 = sext i1 %v534 to i64
+  %v314 = add nsw i64 %v313, %v536
+  %v311 = select i1 %v534, i64 %v315, i64 0
+  br i1 %v534, label %v309, label %v181
 
 v68:
   store i64 0, ptr %v0, align 8
   ret i32 0
 
-v404:
-  %v530 = phi double [ %v397, %v370 ], [ %v396, %v371 ]
-  %v531 = phi double [ %v401, %v370 ], [ %v403, %v371 ]
-  %v532 = phi double [ %v389, %v370 ], [ %v388, %v371 ]
-  br i1 %v366, label %v533, label %v407
+v411:
+  %v537 = phi double [ %v404, %v377 ], [ %v403, %v378 ]
+  %v538 = phi double [ %v408, %v377 ], [ %v410, %v378 ]
+  %v539 = phi double [ %v396, %v377 ], [ %v395, %v378 ]
+  br i1 %v373, label %v540, label %v414
 
-v533:
-  %v534 = getelementptr double, ptr %v373, i64 %v310
-  %v535 = load double, ptr %v534, align 8
-  %v536 = fmul double %v375, %v535
-  %v537 = getelementptr double, ptr %v377, i64 %v310
-  %v538 = load double, ptr %v537, align 8
-  %v539 = fmul double %v375, %v538
-  %v540 = load double, ptr %v380, align 8
-  %v541 = load double, ptr %v384, align 8
-  %v542 = fmul double %v536, %v540
-  %v543 = fadd double %v532, %v542
-  %v544 = tail call double @llvm.fabs.f64(double %v536)
-  %v545 = fmul double %v544, %v541
-  %v546 = tail call double @llvm.fabs.f64(double %v540)
-  %v547 = fadd double %v546, %v541
-  %v548 = fmul double %v539, %v547
-  %v549 = fadd double %v545, %v548
-  %v550 = fadd double %v530, %v549
-  %v551 = tail call double @llvm.fabs.f64(double %v542)
-  %v552 = fmul double %v272, %v551
-  %v553 = fadd double %v531, %v552
-  %v554 = tail call double @llvm.fabs.f64(double %v543)
-  %v555 = fadd double %v554, %v553
-  br label %v407
+v540:
+  %v541 = getelementptr double, ptr %v380, i64 %v310
+  %v542 = load double, ptr %v541, align 8
+  %v543 = fmul double %v382, %v542
+  %v544 = getelementptr double, ptr %v384, i64 %v310
+  %v545 = load double, ptr %v544, align 8
+  %v546 = fmul double %v382, %v545
+  %v547 = load double, ptr %v387, align 8
+  %v548 = load double, ptr %v391, align 8
+  %v549 = fmul double %v543, %v547
+  %v550 = fadd double %v539, %v549
+  %v551 = tail call double @llvm.fabs.f64(double %v543)
+  %v552 = fmul double %v551, %v548
+  %v553 = tail call double @llvm.fabs.f64(double %v547)
+  %v554 = fadd double %v553, %v548
+  %v555 = fmul double %v546, %v554
+  %v556 = fadd double %v552, %v555
+  %v557 = fadd double %v537, %v556
+  %v558 = tail call double @llvm.fabs.f64(double %v549)
+  %v559 = fmul double %v272, %v558
+  %v560 = fadd double %v538, %v559
+  %v561 = tail call double @llvm.fabs.f64(double %v550)
+  %v562 = fadd double %v561, %v560
+  br label %v414
 
-v407:
-  %v406 = phi double [ %v530, %v404 ], [ %v550, %v533 ]
-  %v409 = phi double [ %v531, %v404 ], [ %v555, %v533 ]
-  %v411 = phi double [ %v532, %v404 ], [ %v543, %v533 ]
-  %v556 = add nsw i64 %v557, -1
-  %v558 = add i64 %v559, 1
-  %v560 = icmp sgt i64 %v557, 1
-  br i1 %v560, label %v370, label %v364
+v414:
+  %v413 = phi double [ %v537, %v411 ], [ %v557, %v540 ]
+  %v416 = phi double [ %v538, %v411 ], [ %v562, %v540 ]
+  %v418 = phi double [ %v539, %v411 ], [ %v550, %v540 ]
+  %v563 = add nsw i64 %v564, -1
+  %v565 = add i64 %v566, 1
+  %v567 = icmp sgt i64 %v564, 1
+  br i1 %v567, label %v377, label %v371
 
 v181:
-  %v561 = icmp sgt i64 %v182, 0
-  %v562 = zext i1 %v561 to i64
-  %v185 = add i64 %v184, %v562
-  %v563 = sext i1 %v561 to i64
-  %v183 = add nsw i64 %v182, %v563
-  %v180 = select i1 %v561, i64 %v184, i64 0
-  br i1 %v561, label %v178, label %v107
+  %v568 = icmp sgt i64 %v182, 0
+  %v569 = zext i1 %v568 to i64
+  %v185 = add i64 %v184, %v569
+  %v570 = sext i1 %v568 to i64
+  %v183 = add nsw i64 %v182, %v570
+  %v180 = select i1 %v568, i64 %v184, i64 0
+  br i1 %v568, label %v178, label %v107
 
 v132:
-  %v564 = phi i64 [ 0, %v121 ], [ %v135, %v133 ]
-  %v135 = add nsw i64 %v564, 1
-  br i1 %v73, label %v133, label %v565
+  %v571 = phi i64 [ 0, %v121 ], [ %v135, %v133 ]
+  %v135 = add nsw i64 %v571, 1
+  br i1 %v73, label %v133, label %v572
 
-v565:
-  %v566 = mul i64 %v564, %v48
-  %v567 = getelementptr i64, ptr %v46, i64 %v566
-  %v568 = getelementptr i8, ptr %v567, i64 8
-  %v569 = load i64, ptr %v568, align 8
-  %v570 = load i64, ptr %v567, align 8
-  %v571 = icmp slt i64 %v569, 0
-  %v572 = select i1 %v571, i64 %v7, i64 0
-  %v573 = add i64 %v572, %v569
-  %v574 = mul i64 %v573, %v74
-  %v575 = getelementptr double, ptr %v124, i64 %v574
-  %v576 = icmp slt i64 %v570, 0
-  %v577 = select i1 %v576, i64 %v7, i64 0
-  %v578 = add i64 %v577, %v570
-  %v579 = mul i64 %v578, %v74
-  %v580 = getelementptr double, ptr %v127, i64 %v579
-  %v581 = select i1 %v571, i64 %v18, i64 0
-  %v582 = add i64 %v581, %v569
-  %v583 = mul i64 %v582, %v75
-  %v584 = getelementptr double, ptr %v129, i64 %v583
-  %v585 = select i1 %v576, i64 %v18, i64 0
-  %v586 = add i64 %v585, %v570
-  %v587 = mul i64 %v586, %v75
-  %v588 = getelementptr double, ptr %v131, i64 %v587
-  br label %v589
+v572:
+  %v573 = mul i64 %v571, %v48
+  %v574 = getelementptr i64, ptr %v46, i64 %v573
+  %v575 = getelementptr i8, ptr %v574, i64 8
+  %v576 = load i64, ptr %v575, align 8
+  %v577 = load i64, ptr %v574, align 8
+  %v578 = icmp slt i64 %v576, 0
+  %v579 = select i1 %v578, i64 %v7, i64 0
+  %v580 = add i64 %v579, %v576
+  %v581 = mul i64 %v580, %v74
+  %v582 = getelementptr double, ptr %v124, i64 %v581
+  %v583 = icmp slt i64 %v577, 0
+  %v584 = select i1 %v583, i64 %v7, i64 0
+  %v585 = add i64 %v584, %v577
+  %v586 = mul i64 %v585, %v74
+  %v587 = getelementptr double, ptr %v127, i64 %v586
+  %v588 = select i1 %v578, i64 %v18, i64 0
+  %v589 = add i64 %v588, %v576
+  %v590 = mul i64 %v589, %v75
+  %v591 = getelementptr double, ptr %v129, i64 %v590
+  %v592 = select i1 %v583, i64 %v18, i64 0
+  %v593 = add i64 %v592, %v577
+  %v594 = mul i64 %v593, %v75
+  %v595 = getelementptr double, ptr %v131, i64 %v594
+  br label %v596
 
-v589:
-  %v590 = phi i64 [ %v72, %v565 ], [ %v591, %v589 ]
-  %v592 = phi i64 [ %v62, %v565 ], [ %v593, %v589 ]
-  %v591 = add nsw i64 %v590, -1
-  %v593 = add i64 %v592, 1
-  %v594 = icmp slt i64 %v592, 0
-  %v595 = select i1 %v594, i64 %v9, i64 0
-  %v596 = add i64 %v595, %v592
-  %v597 = getelementptr double, ptr %v575, i64 %v596
-  %v598 = load double, ptr %v597, align 8
-  %v599 = fdiv double %v598, %v125
-  %v600 = getelementptr double, ptr %v580, i64 %v596
-  store double %v599, ptr %v600, align 8
-  %v601 = select i1 %v594, i64 %v20, i64 0
-  %v602 = add i64 %v601, %v592
-  %v603 = getelementptr double, ptr %v584, i64 %v602
-  %v604 = load double, ptr %v603, align 8
-  %v605 = fdiv double %v604, %v125
-  %v606 = tail call double @llvm.fabs.f64(double %v599)
-  %v607 = fmul double %v606, 0x3CA0000000000000
-  %v608 = fadd double %v605, %v607
-  %v609 = fmul double %v608, 0x3FF0000000000200
-  %v610 = fadd double %v609, 0x20B0000000000000
-  %v611 = getelementptr double, ptr %v588, i64 %v602
-  store double %v610, ptr %v611, align 8
-  %v612 = icmp sgt i64 %v590, 1
-  br i1 %v612, label %v589, label %v133
+v596:
+  %v597 = phi i64 [ %v72, %v572 ], [ %v598, %v596 ]
+  %v599 = phi i64 [ %v62, %v572 ], [ %v600, %v596 ]
+  %v598 = add nsw i64 %v597, -1
+  %v600 = add i64 %v599, 1
+  %v601 = icmp slt i64 %v599, 0
+  %v602 = select i1 %v601, i64 %v9, i64 0
+  %v603 = add i64 %v602, %v599
+  %v604 = getelementptr double, ptr %v582, i64 %v603
+  %v605 = load double, ptr %v604, align 8
+  %v606 = fdiv double %v605, %v125
+  %v607 = getelementptr double, ptr %v587, i64 %v603
+  store double %v606, ptr %v607, align 8
+  %v608 = select i1 %v601, i64 %v20, i64 0
+  %v609 = add i64 %v608, %v599
+  %v610 = getelementptr double, ptr %v591, i64 %v609
+  %v611 = load double, ptr %v610, align 8
+  %v612 = fdiv double %v611, %v125
+  %v613 = tail call double @llvm.fabs.f64(double %v606)
+  %v614 = fmul double %v613, 0x3CA0000000000000
+  %v615 = fadd double %v612, %v614
+  %v616 = fmul double %v615, 0x3FF0000000000200
+  %v617 = fadd double %v616, 0x20B0000000000000
+  %v618 = getelementptr double, ptr %v595, i64 %v609
+  store double %v617, ptr %v618, align 8
+  %v619 = icmp sgt i64 %v597, 1
+  br i1 %v619, label %v596, label %v133
 
-v370:
-  %v389 = phi double [ 0.000000e+00, %v365 ], [ %v411, %v407 ]
-  %v401 = phi double [ %v358, %v365 ], [ %v409, %v407 ]
-  %v397 = phi double [ %v357, %v365 ], [ %v406, %v407 ]
-  %v557 = phi i64 [ %v362, %v365 ], [ %v556, %v407 ]
-  %v559 = phi i64 [ %v318, %v365 ], [ %v558, %v407 ]
-  %v613 = sitofp i64 %v559 to double
-  %v375 = select i1 %v257, double %v613, double 1.000000e+00
-  %v614 = icmp slt i64 %v559, 0
-  %v615 = select i1 %v614, i64 %v8, i64 0
-  %v616 = add i64 %v615, %v559
-  %v617 = mul i64 %v616, %v9
-  %v373 = getelementptr double, ptr %v259, i64 %v617
-  %v618 = select i1 %v614, i64 %v19, i64 0
-  %v619 = add i64 %v618, %v559
-  %v620 = mul i64 %v619, %v20
-  %v377 = getelementptr double, ptr %v261, i64 %v620
-  %v621 = sub nsw i64 %v116, %v559
-  %v622 = icmp slt i64 %v621, 0
-  %v623 = select i1 %v622, i64 %v8, i64 0
-  %v624 = add i64 %v623, %v621
-  %v625 = mul i64 %v624, %v9
-  %v380 = getelementptr double, ptr %v266, i64 %v625
-  %v626 = select i1 %v622, i64 %v19, i64 0
-  %v627 = add i64 %v626, %v621
-  %v628 = mul i64 %v627, %v20
-  %v384 = getelementptr double, ptr %v270, i64 %v628
-  br i1 %v308, label %v404, label %v371
+v377:
+  %v396 = phi double [ 0.000000e+00, %v372 ], [ %v418, %v414 ]
+  %v408 = phi double [ %v365, %v372 ], [ %v416, %v414 ]
+  %v404 = phi double [ %v364, %v372 ], [ %v413, %v414 ]
+  %v564 = phi i64 [ %v369, %v372 ], [ %v563, %v414 ]
+  %v566 = phi i64 [ %v318, %v372 ], [ %v565, %v414 ]
+  %v620 = sitofp i64 %v566 to double
+  %v382 = select i1 %v257, double %v620, double 1.000000e+00
+  %v621 = icmp slt i64 %v566, 0
+  %v622 = select i1 %v621, i64 %v8, i64 0
+  %v623 = add i64 %v622, %v566
+  %v624 = mul i64 %v623, %v9
+  %v380 = getelementptr double, ptr %v259, i64 %v624
+  %v625 = select i1 %v621, i64 %v19, i64 0
+  %v626 = add i64 %v625, %v566
+  %v627 = mul i64 %v626, %v20
+  %v384 = getelementptr double, ptr %v261, i64 %v627
+  %v628 = sub nsw i64 %v116, %v566
+  %v629 = icmp slt i64 %v628, 0
+  %v630 = select i1 %v629, i64 %v8, i64 0
+  %v631 = add i64 %v630, %v628
+  %v632 = mul i64 %v631, %v9
+  %v387 = getelementptr double, ptr %v266, i64 %v632
+  %v633 = select i1 %v629, i64 %v19, i64 0
+  %v634 = add i64 %v633, %v628
+  %v635 = mul i64 %v634, %v20
+  %v391 = getelementptr double, ptr %v270, i64 %v635
+  br i1 %v308, label %v411, label %v378
 }
 
 ; Function Attrs: mustprogress nocallback nofree nosync nounwind speculatable willreturn memory(none)

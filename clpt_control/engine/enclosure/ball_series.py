@@ -17,7 +17,7 @@ from typing import Any
 
 # columns of `whole`; no value is -1
 RESULT, LEFT, RIGHT, U, V, FIRST, LAST, DIVISOR, WEIGHTED = range(9)
-# columns of `real`; that of the left value is 1 or -1
+# columns of `real`
 OF_LEFT, OF_RIGHT, SIGN, FACTOR = range(4)
 HALF_UNIT = 2.0**-53
 # of a radius, for the rounding of radii up to order 60
@@ -73,12 +73,13 @@ def coefficients(
                 rounded = 0.0  # sum of the results on the way
                 if left >= 0:
                     c = real[i, OF_LEFT] * C[left, k, e]
-                    r = R[left, k, e]
+                    r = abs(real[i, OF_LEFT]) * R[left, k, e]
+                    rounded = abs(c) if abs(real[i, OF_LEFT]) != 1.0 else 0.0
                 if right >= 0:
                     term = real[i, OF_RIGHT] * C[right, k, e]
                     c = c + term
                     r = r + abs(real[i, OF_RIGHT]) * R[right, k, e]
-                    rounded = abs(term) + abs(c)
+                    rounded = rounded + abs(term) + abs(c)
                 if weighted == 1 and k == 0:
                     # the derivative of a function, whose value is known
                     first, last = 0, 0

@@ -49,7 +49,6 @@ def power(a: Any, exponent: Any) -> Any:
 
 # operations in the place of others, equal in exact arithmetic
 REPLACED: dict[str, Callable[..., Any]] = {
-    "fabs": lambda a: np.maximum(np.maximum(a, -a), 0.0),
     "tan": lambda a: np.sin(a) / np.cos(a),
     "asin": lambda a: np.atan(a / np.sqrt(1.0 - a * a)),
     "acos": lambda a: 2.0 * np.atan(np.sqrt((1.0 - a) / (1.0 + a))),
@@ -61,7 +60,7 @@ REPLACED: dict[str, Callable[..., Any]] = {
     "ne": lambda a, b: np.logical_or(a < b, a > b),
     "pow": power,
 }
-CHOICES = ("where", "pick", "mod", "minimum", "maximum")
+CHOICES = ("where", "pick", "mod", "minimum", "maximum", "fabs")
 DECIDED = STEPS - {"argmin", "floordiv"}
 ROWS = {**TABLE, "logistic": Row(slopes=(lambda a, f: f - f * f,), c="")}
 NONE: tuple[str, tuple[int, ...], Any] = (
@@ -79,6 +78,7 @@ class Step(NamedTuple):
     operands: tuple[int, ...]
     result: int
     at: Any
+    rest: int = -1  # what a line in the place of a decision leaves
 
 
 class SetProgram(Elements):
@@ -113,6 +113,7 @@ class SetProgram(Elements):
         self.steps: list[Step] = []
         self.x = [self.load("X", k) for k in range(n)]
         self.time = self.load("t", 0)
+        self.one = self.number(1.0)
         self.begin = self.load("P", len(record.layout.P))  # of a segment of inputs
         places = {}
         with deep():
@@ -293,7 +294,7 @@ class SetProgram(Elements):
         is_step, is_chosen = kind in DECIDED, kind in CHOICES
         signs = [self.positive[a] for a in operands]
         is_square = kind == "mul" and operands[0] == operands[1]
-        positive = kind in ("exp", "sqrt", "logistic") or is_square
+        positive = kind in ("exp", "sqrt", "logistic", "fabs") or is_square
         positive |= (kind in ("add", "mul") and all(signs)) or (
             kind == "maximum" and any(signs)
         )
@@ -312,10 +313,12 @@ class SetProgram(Elements):
                 lines.append(by_slope(terms[-1], a, outer))
         # 3. what Python does
         table = self.table(*operands) if kind == "add" else None
+        has_rest = is_chosen or table is not None or kind in ("sqrt", "atan2")
+        rest = self.value(True) if has_rest else -1
         if is_step or is_chosen or kind in FUNCTIONS:
-            steps.append(Step(len(lines), kind, operands, result, at))
+            steps.append(Step(len(lines), kind, operands, result, at, rest))
         elif table is not None:
-            steps.append(Step(len(lines), "interp", table[0], result, table[1]))
+            steps.append(Step(len(lines), "interp", table[0], result, table[1], rest))
         # 4. the line
         if is_chosen:
             lines.append(line(Recurrence((1,)), result, operands))

@@ -1,23 +1,24 @@
 """Evaluation of a program on balls, and the decisions that members of a set take.
 
 A decision that is the same for all members of a set chooses a value; otherwise `Switching` ends the
-series.  With `loose`, values of order 0 take in both sides of a switch and roots at 0.
+series.  With `loose`, values of order 0 take in both sides of a switch and roots at 0, and the line
+of each decision is noted; where such lines are `held`, they stand in the place of the decisions.
 """
 
-from fractions import Fraction
-from itertools import product
 from math import ceil, floor, inf, isfinite, nan, nextafter
 from typing import Any
 
 import numpy as np
 
 from ..codegen.machine import address_of, compiled_series, numbers_of
-from ..record.operations import LOGICAL, TABLE
 from . import balls
 from .ball_series import LEFT
-from .balls import FUNCTIONS, Ball, Interval, Switching, Undecided, between, exact
+from .balls import FUNCTIONS, Ball, Interval, Switching, Undecided, exact
 from .set_program import CHOICES, DECIDED, ROWS, SetProgram, Step
+from .sides import GRID, KINKS, Line, below_root, chosen, decided, line_of
 
+STEEP = 16.0  # greatest over least of numbers whose roots have a line
+NO_TERM = -1, 0.0
 UNBOUNDED = "a divisor may be 0, or a value has no bound"
 
 
@@ -38,6 +39,8 @@ class SetSeries:
         # values that had no bounds in the last evaluation
         self.why: dict[int, str] = {}
         self.jumps = False  # whether members have been on both sides of a jump
+        self.lines: dict[int, Line] = {}  # of decisions, by the last loose evaluation
+        self.held: dict[int, Line] = {}  # in the place of decisions
         shape = len(program.still), order + 1, self.width
         self.C, self.R = C, _ = np.zeros(shape), np.zeros(shape)
         for number, slot in program.constants.items():
@@ -56,6 +59,7 @@ class SetSeries:
         whole = [line for line, _ in lines]
         self.whole = np.array(whole, dtype=np.int64).reshape(-1, 9)
         real = np.array([line for _, line in lines]).reshape(-1, 4)
+        self.real, self.plain = real, (self.whole.copy(), real.copy())
         self.results = np.array(program.x if order else program.results, dtype=np.int64)
         pairs = [program.x, program.results] if order else [[], []]
         states = np.array(pairs, dtype=np.int64).T.copy()
@@ -79,7 +83,8 @@ class SetSeries:
     ) -> Ball:
         """Return coefficients of states, or first ones of outputs: (n, order + 1, width).
 
-        Sources of noise are at their middles, or intervals if the values are `noisy`.
+        Sources of noise are at their middles, or intervals if the values are `noisy`; so is what
+        lines that are held leave of decisions.
         """
         program, count = self.program, len(self.whole)
         width = 1 if loose else self.width
@@ -94,16 +99,17 @@ class SetSeries:
         # 2. order 0 of the others
         done = 0
         self.why.clear()
+        self.whole[:], self.real[:] = self.plain
+        if loose:
+            self.lines = {}
         for step in self.steps:
             self.machine(done, step.line, 0, 0, 0, 1)
             try:
-                done = step.line + (
-                    self.interpolate if step.kind == "interp" else self.take
-                )(step, loose)
+                done = step.line + self.take(step, loose, noisy)
             except Undecided as error:
+                self.why[step.result] = str(error)
                 if not self.apart:
                     raise
-                self.why[step.result] = str(error)
                 self.C[step.result, 0, 0] = nan
                 done = step.line + (step.kind not in DECIDED)
         self.machine(done, count, 0, 0, 0, 1)
@@ -139,9 +145,14 @@ class SetSeries:
             raise Undecided(UNBOUNDED)
         return (nextafter(c - r, -inf), nextafter(c + r, inf)) if r else (c, c)
 
-    def take(self, step: Step, loose: bool) -> int:
+    def take(self, step: Step, loose: bool, noisy: bool) -> int:
         """Compute a function, or decide; return how many lines are done."""
-        line, kind, operands, result, _ = step
+        # 1. what is held, tables and functions
+        if step.result in self.held and not loose:
+            return self.hold(step, self.held[step.result], noisy)
+        if step.kind == "interp":
+            return self.interpolate(step, loose)
+        kind, operands, result = step.kind, step.operands, step.result
         program = self.program
         ends = [self.bounds(slot, ROWS[kind].chosen) for slot in operands]
         if kind in FUNCTIONS:
@@ -149,23 +160,49 @@ class SetSeries:
                 ends[0] = max(ends[0][0], 0.0), ends[0][1]
             value = balls.function(kind, loose, *ends)
             self.jumps |= value == balls.TURN
+            if value == balls.TURN:
+                self.lines[result] = Line((), value)
+            elif loose and kind == "sqrt" and STEEP * ends[0][0] <= ends[0][1]:
+                self.lines[result] = below_root(ends[0], value)
             self.put(result, balls.middle(*value))
             return 1
+        # 2. which sides members are on
         whole = [program.whole[slot] for slot in operands]
-        choices, (low, high) = decided(step, ends, whole[0])
-        is_decided = len(choices) == 1 if kind in CHOICES else low == high
+        choices, value = decided(step, ends, whole[0])
+        is_choice = kind in CHOICES
+        is_decided = len(choices) == 1 if is_choice else value[0] == value[1]
+        if loose:
+            self.lines[result] = line_of(step, ends, choices, value)
+        elif not is_decided:
+            raise Switching("a kink, a jump or a condition switches")
         if not is_decided:
-            if not loose:
-                raise Switching("a kink, a jump or a condition switches")
             is_kink = kind == "search" and step.at[1] != "jumps"
             is_kink |= kind == "pick" and whole[0]  # it jumps where its place does
-            self.jumps |= not (is_kink or kind in ("minimum", "maximum"))
-        if is_decided and kind in CHOICES:
-            self.whole[line, LEFT] = operands[choices[0]]
+            self.jumps |= not (is_kink or kind in KINKS)
+        # 3. the value
+        elif is_choice:
+            self.hold(step, chosen(step, ends, choices), False)
             if kind != "mod":
                 return 0
-        self.put(result, balls.middle(low, high))
-        return int(kind in CHOICES)
+        if not is_choice:
+            return self.hold(step, Line((), value), True)
+        self.put(result, balls.middle(*value))
+        return 1
+
+    def hold(self, step: Step, line: Line, noisy: bool) -> int:
+        """Put a line in the place of a decision; return how many lines are done."""
+        c, r = balls.middle(*line.rest)
+        rest = step.rest if step.rest >= 0 else step.result
+        self.put(rest, (c, r if noisy else 0.0))
+        if self.noise:
+            self.R[rest, 0, -1] = r
+        if rest != step.result:
+            (a, of_a), (b, of_b) = (*line.terms, NO_TERM, NO_TERM)[:2]
+            slots = [step.operands[k] if k >= 0 else -1 for k in (a, b)]
+            product = (rest, self.program.one) if c or r else (-1, -1)
+            self.whole[step.line, LEFT:] = *slots, *product, 0, 0, -1, 0
+            self.real[step.line] = of_a, of_b, 1.0, 1.0
+        return 0
 
     def interpolate(self, step: Step, loose: bool) -> int:
         """Compute straight lines of a table on all pieces that a set meets."""
@@ -175,68 +212,20 @@ class SetSeries:
         rows = [Ball(self.C[row, 0, 0], self.R[row, 0, 0]) for row in step.at]
         joints, *of_pieces = rows
         first, last = ceil(place[0]), floor(place[1])
-        edges = [x[0], *joints.c[first:last], x[1]]
+        edges = np.array([x[0], *joints.c[first:last], x[1]])
         point, slope, value = (row[first : last + 1] for row in of_pieces)
-        s = balls.add(between(edges[:-1], edges[1:]), Ball(-point.c, point.r))
-        y = balls.add(balls.mul(slope, s), value)
-        self.put(step.result, balls.middle(np.min(y.lower), np.max(y.upper)))
+
+        def above(factor: float) -> Ball:
+            """Return the table less a line, at the ends of its pieces."""
+            ends = exact(np.array([edges[:-1], edges[1:]]))
+            s = balls.add(ends, Ball(-point.c, point.r))
+            y = balls.add(balls.mul(slope, s), value)
+            return balls.add(y, balls.mul(exact(-factor), ends))
+
+        y = above(0.0)
+        factor = float(round(GRID * (y.c[1, -1] - y.c[0, 0]) / (x[1] - x[0])) / GRID)
+        rest = above(factor)
+        bounds = [(float(np.min(a.lower)), float(np.max(a.upper))) for a in (y, rest)]
+        self.lines[step.result] = Line(((0, factor),), bounds[1])
+        self.put(step.result, balls.middle(*bounds[0]))
         return 1
-
-
-def decided(
-    step: Step, ends: list[Interval], is_whole: bool
-) -> tuple[list[int], Interval]:
-    """Return the operands that members of a set choose, and bounds of the results."""
-    kind, first = step.kind, ends[0]
-    choices: list[int] = []
-    if kind == "mod":
-        return remainder(first, ends[1])
-    if kind == "search":
-        row = [low for low, high in ends[1:] if low == high]
-        if len(row) < len(ends) - 1:
-            raise Undecided("a table changes")
-        low, high = (float(np.searchsorted(row, end, step.at[0])) for end in first)
-        return choices, (low, high)
-    if kind == "pick":
-        count = len(ends) - 1
-        start, stop = (ceil(first[0]), floor(first[1])) if is_whole else map(int, first)
-        if not -count <= start <= stop < count:
-            raise Undecided("a place may be outside of its table")
-        choices = [1 + place % count for place in range(start, stop + 1)]
-    elif kind == "where":
-        low, high = truth(first)
-        choices = [1] * (high > 0.0) + [2] * (low < 1.0)
-    else:
-        if kind in CHOICES:
-            low, high = corners(TABLE[kind].chosen, ends)
-            choices = [0] * (high > 0.0) + [1] * (low < 1.0)
-        if kind in LOGICAL:
-            ends = [truth(end) for end in ends]
-        return choices, corners(TABLE[kind].numpy, ends)
-    lows, highs = zip(*(ends[k] for k in choices), strict=True)
-    return choices, (min(lows), max(highs))
-
-
-def truth(of: Interval) -> Interval:
-    """Return bounds, 0 or 1, of the truth of numbers; those of 0 or 1 may be rounded."""
-    return float(not of[0] <= 0.0 <= of[1]), float(of != (0.0, 0.0))
-
-
-def corners(function: Any, ends: list[Interval]) -> Interval:
-    """Return bounds of a function that rises or falls along each argument, without rounding."""
-    values = [float(function(*corner)) for corner in product(*ends)]
-    return min(values), max(values)
-
-
-def remainder(a: Interval, divisor: Interval) -> tuple[list[int], Interval]:
-    """Return bounds of a remainder, whose slope is that of a between its jumps."""
-    b = divisor[0]
-    if b != divisor[1] or b == 0.0:
-        raise Undecided("the divisor of a remainder may be 0 or change")
-    low, high = (Fraction(end) % Fraction(b) for end in a)
-    if high - low != Fraction(a[1]) - Fraction(a[0]):
-        return [], (min(b, 0.0), max(b, 0.0))
-    point = float(low)
-    if low == high == point:
-        return [0], (point, point)
-    return [0], (nextafter(point, -inf), nextafter(float(high), inf))

@@ -12,20 +12,18 @@ A step of length h has three evaluations of the record on balls:
 
 J maps G; sets too wide for first derivatives take second ones (`curvature`).
 The errors of a step are new columns, and when these are many the shortest become a box
-(Kuehn 1998).  Where there is no series, at a switch or at the root of 0, a short step has the rates
-of Picard's box alone, with those of both sides of the switch.  Discrete time and jumps at known
-times, such as those of sampled blocks, map the set by the mean value form.
+(Kuehn 1998).  Where there is no series, at a switch, a kink or the root of 0, lines stand in the
+place of these, and what they leave is a noise (`sides`).  Discrete time and jumps at known times,
+such as those of sampled blocks, map the set by the mean value form.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from contextlib import suppress
-from copy import deepcopy
 from functools import partial
 from typing import Any
 
 import numpy as np
 
-from ...base.progress import interrupt
 from . import balls
 from .balls import (
     Ball,
@@ -42,6 +40,7 @@ from .curvature import bend, second_derivatives, with_tangents
 from .noise import REACH, InputNoise, moved_apart, sources, walls
 from .set_program import SetProgram
 from .set_series import SetSeries
+from .sides import Line
 from .step_length import moved, powers, step_length
 
 ORDER = 26  # at most 60, for the radii of `ball_series`
@@ -50,42 +49,15 @@ LEAST = 2.0**-30  # of a run: the shortest step
 SHORTEST = 2.0**-38  # of a run: the shortest step without series
 LONGEST = 2.0**-8  # of a run: the longest of these
 LARGER = 1.1  # the longest step after another one
+QUICKER = 1.5  # of short steps with lines in the place of decisions
 MOST_STEPS = 20_000
 SHORTER = 2.0**-5  # least step by series after one without
 FLAT = 2.0**-20  # error of a step by first derivatives, beside the radius of a box
 LOOSE = 2.0**-7  # error from which a step has walls
-NOISY = 2.0**-3  # wished growth of noise in a step
+NOISY = 2.0**-3  # wished growth of noise in a step, and share of a box's radius
+SMALL = 2.0**-8  # share of noise that may grow
 NOISY_STEPS = 2.0**-8  # of a run: steps with noise that may grow more
 EMPTY = np.array([np.inf, -np.inf])[:, None, None, None]  # bounds of no number
-
-
-def enclosed(
-    whole: Ball,
-    schedule: Any,
-    most: int,
-    *arguments: Any,
-    undecided: Callable[["Enclosure"], bool] | None = None,
-) -> list["Enclosure"]:
-    """Return boxes of at most so many pieces of a box.
-
-    The earliest to end is divided first, of those that are `undecided` if that is asked.
-    """
-    pieces, parts = list[Enclosure](), [whole]
-    while True:
-        for box in parts:
-            interrupt.check()
-            pieces.append(Enclosure(box, *arguments))
-            pieces[-1].run(schedule)
-        pieces.sort(key=lambda piece: (piece.t, -np.sum(piece.bent)))
-        wide = [piece for piece in pieces if np.any(piece.whole.r)]
-        if undecided is not None:
-            wide = [piece for piece in wide if undecided(piece)]
-        elif wide:
-            wide = wide[:1] if wide[0] is pieces[0] else []
-        if len(pieces) >= most or not wide:
-            return pieces
-        pieces.remove(wide[0])
-        parts = [*wide[0].halves()]
 
 
 def _always(value: Any) -> Callable[[Any], Any]:
@@ -135,6 +107,7 @@ class Enclosure:
         self.narrow = SetSeries(rates, ORDER + 1)
         self.second = SetSeries(second, ORDER + 1, along) if is_second else None
         self.rates = SetSeries(rates, 0, along, noise=True)
+        self.of_rates = self.wide, self.narrow, self.rates
         self.leaps = SetSeries(leaps, 0, along, noise=True)
         self.jumps = jumps  # places of their requests in P; None in discrete time
         self.signals = SetSeries(signals, 0, along, noise=True)
@@ -153,18 +126,10 @@ class Enclosure:
         self.span = float(times[-1] - times[0])
         self.place = times.searchsorted
         self.h, self.short = np.inf, SHORTEST * self.span
-        self.steps = self.crude = 0  # all steps, and those without series
+        self.steps = self.crude = 0  # all steps, and those beside a switch
         shape = 2, 2, len(times), n + len(signals.results)
         self.bounds = np.full(shape, EMPTY)
         self.lost: dict[int, str] = {}  # signals without bounds, and why
-
-    def halves(self) -> Iterator[Ball]:
-        """Yield the two halves of the box along what bends runs most."""
-        k = np.flatnonzero(self.whole.r)[np.argmax(self.bent)]
-        for end in (self.whole.lower, self.whole.upper):
-            half = deepcopy(self.whole)
-            half.c[k], half.r[k] = between(*sorted([end[k], half.c[k]]))
-            yield half
 
     # --- runs ---------------------------------------------------------------------------------
 
@@ -184,7 +149,7 @@ class Enclosure:
                         raise Undecided(f"the run takes more than {most} steps")
         except Undecided as error:
             self.why = str(error)
-        del self.wide, self.narrow, self.second  # large
+        del self.wide, self.narrow, self.second, self.of_rates  # large
         # an interval has the boxes at its ends, and is covered whole or not at all
         for (at, over), widest in zip(
             self.bounds, (np.minimum, np.maximum), strict=True
@@ -198,13 +163,7 @@ class Enclosure:
         radii = self.noise.largest(self.t, self.t if self.jumps is None else end)
         for program, of_inputs in self.of_inputs.items():
             found = sources(of_inputs, self.t, self.P, self.noise.places, radii)
-            for series in (
-                self.wide,
-                self.narrow,
-                self.rates,
-                self.leaps,
-                self.signals,
-            ):
+            for series in (*self.of_rates, self.leaps, self.signals):
                 if series.program is program:
                     series.of_sources = found
 
@@ -227,14 +186,22 @@ class Enclosure:
     def _image(
         self, series: SetSeries, t: Ball, x: Ball, G: Ball, hull: Ball | None
     ) -> tuple[Ball, Ball]:
-        """Return centre and generators of a function of the set, or its box where it switches."""
+        """Return centre and generators of a function of the set, or its box where it has none."""
         box = around_both(within(self._box(x, G), hull), x)
+        middle = Ball(self.P.c, 0 * self.P.r)
         try:
-            J = series.evaluate(t, box, self.P, noisy=True)[:, 0, 1:]
-            y = series.evaluate(t, x, Ball(self.P.c, 0 * self.P.r))[:, 0, 0]
+            with suppress(Switching):
+                J = series.evaluate(t, box, self.P, noisy=True)[:, 0, 1:]
+            if series.why:  # lines in the place of decisions
+                self._plain(series, t, box)
+                series.held = series.lines
+                J = series.evaluate(t, box, self.P, noisy=True)[:, 0, 1:]
+            y = series.evaluate(t, x, middle)[:, 0, 0]
         except Switching:
             y = self._plain(series, t, box)
             return y, exact(np.zeros((len(y.c), len(self.r))))
+        finally:
+            series.held = {}
         y = balls.add(y, J[:, -1])
         rest = self.G[self.n :]
         G = Ball(np.vstack([G.c, rest]), np.vstack([G.r, 0 * rest]))
@@ -281,11 +248,9 @@ class Enclosure:
             # beside a switch coefficients may be too large
             if not (self._is_beside or isinstance(error, Switching)):
                 raise
-            try:
-                self._crude(end)
-            except Undecided:
-                raise error from None
-            self.short = min(LARGER * self.short, LONGEST * self.span)
+            if not self._step_beside(end):
+                raise
+            self.short = min(QUICKER * self.short, LONGEST * self.span)
 
     @property
     def _is_beside(self) -> bool:
@@ -294,7 +259,55 @@ class Enclosure:
 
     # --- a step -------------------------------------------------------------------------------
 
-    def _step(self, end: float) -> None:
+    def _hold(self, lines: dict[int, Line]) -> None:
+        """Put lines in the place of the decisions of rates."""
+        for series in self.of_rates:
+            series.held = lines
+
+    def _step_beside(self, end: float, least: float = 0.0) -> bool:
+        """Take a step with lines in the place of decisions; return whether there is one."""
+        try:
+            self._step(*self._held(end, least))
+        except Undecided:
+            return False
+        finally:
+            self._hold({})
+        self.crude += 1
+        return True
+
+    def _held(self, end: float, least: float) -> tuple[float, Any]:
+        """Return the end of a step with little noise, or a short one, and its `_noise_box`."""
+        t, box = self.t, self._hull
+        self._plain(self.rates, exact(t), box)
+        self._hold(self.rates.lines)
+        d = self.rates.evaluate(exact(t), box, self.P, noisy=True)[:, 0, -1].size
+        new = min(t + min(2.0 * self.h, LONGEST * self.span), end)
+        while (h := float(moved(t, new).upper)) > least:
+            try:
+                time = between(t, np.nextafter(t + h, np.inf))
+                held = self._noise_box(time, h, has_lines=True)
+                share = np.max(h * held[1] / (box.r + REACH))
+                grows = np.any(held[1] > (1.0 + NOISY) * d)
+                if share <= (SMALL if grows else NOISY) or h <= self.short:
+                    return new, held
+            except Undecided:
+                if h <= self.short:
+                    raise
+            new = t + 0.5 * (new - t)
+        raise Undecided("noise is large")
+
+    def _noise_box(
+        self, time: Ball, h: float, has_lines: bool = False
+    ) -> tuple[Ball, np.ndarray, np.ndarray]:
+        """Return a box that no run leaves in a step, and its noise and slopes."""
+        n = self.n
+        B = self._picard(time, h, has_lines)
+        slopes = self.rates.evaluate(time, B, self.P, noisy=True)[:, 0, 1:]
+        J = slopes[:, :n].size
+        J[np.diag_indices(n)] = np.diag(slopes[:, :n].upper)
+        return B, slopes[:, -1].size, J
+
+    def _step(self, end: float, beside: Any = None) -> None:
         """Take a step by series."""
         p, n, N, t = ORDER, self.n, self.N, self.t
         least, shortest = LEAST * self.span, SHORTER * self.short * self._is_beside
@@ -303,25 +316,33 @@ class Enclosure:
         wide = self.wide.evaluate(exact(t), box, self.P)
         F = wide[:, :, 0]
         d = None
-        if self.is_noisy:  # an error if the box itself straddles a switch
+        if beside:
+            d, shortest = beside[1], 0.0
+        elif self.is_noisy:  # an error if the box itself straddles a switch
             d = self.rates.evaluate(exact(t), box, self.P, noisy=True)[:, 0, -1].size
-        longest = max(LARGER * self.h, least)
+        longest = end - t if beside else max(LARGER * self.h, least)
         h, allowed = step_length(F, box, min(longest, end - t), least)
         # 2. a box that holds all runs
+        speeds = (box.r[box.r > 0.0] / (F.size[box.r > 0.0, 1] + REACH)).tolist()
+        passing = 0.0 if beside else SHORTER * min(speeds, default=0.0)  # of a switch
         while True:
             if h < shortest:
                 raise Undecided("steps by series are too short")
             new = end if end - t - h < 1e-3 * h else t + h
             step = moved(t, new)
             try:
-                remainder, hull, apart = self._remainder(step, F, box, d)
+                remainder, hull, apart = self._remainder(step, F, box, d, beside)
                 error = remainder.size * float(step.upper) ** (p + 1)
                 worst = float(np.max(error / allowed))
                 if worst <= 1.0 or h < 4.0 * least:
                     break
                 h *= max(0.5, 0.9 * worst ** (-1.0 / (p + 1)))
-            except Undecided:
+            except Undecided as error:
                 h *= 0.6
+                if isinstance(error, Switching) and h < passing:
+                    passing = 0.0
+                    if self._step_beside(end, h):
+                        return
                 if h < least or t + h <= t:
                     raise
         # 3. mean value form
@@ -466,7 +487,7 @@ class Enclosure:
     # --- boxes that hold runs -----------------------------------------------------------------
 
     def _remainder(
-        self, step: Ball, F: Ball, box: Ball, d: np.ndarray | None
+        self, step: Ball, F: Ball, box: Ball, d: np.ndarray | None, beside: Any
     ) -> tuple[Ball, Any, Any]:
         """Return coefficient p + 1 on a box that holds all runs, the box, and what noise adds.
 
@@ -475,8 +496,14 @@ class Enclosure:
         p, h = ORDER, float(step.upper)
         time = between(self.t, np.nextafter(self.t + h, np.inf))
         if d is not None:
-            B, hull, apart = self._disturbed(time, h, d)
-            return self.narrow.evaluate(time, B, self.P)[:, p + 1, 0], hull, apart
+            B, during, J = beside or self._noise_box(time, h)
+            grows = np.any((d > 0.0) & (during > (1.0 + NOISY) * d))
+            if grows and not beside and h > NOISY_STEPS * self.span:
+                raise Undecided("a step is too long for its noise")
+            apart = partial(moved_apart, during, J)
+            apart(h)  # an error if the step is too long
+            found = self.narrow.evaluate(time, B, self.P)[:, p + 1, 0]
+            return found, self._walls(time, B, h), apart
         scales = powers(between(0.0, h), ORDER + 2)
         base = matrix(F[:, : p + 1], scales[: p + 1])
         last = float(scales.upper[p + 1])
@@ -491,45 +518,24 @@ class Enclosure:
             reach = np.maximum(reach, 4.0 * needed)
         raise Undecided("no box holds the runs of a step")
 
-    def _picard(self, time: Ball, h: float, reach: float) -> tuple[Ball, Ball]:
-        """Return a box that no run leaves during a step, and the rates in it."""
+    def _picard(self, time: Ball, h: float, has_lines: bool) -> Ball:
+        """Return a box that no run leaves during a step.
+
+        With lines in the place of decisions, no run of these leaves it either.
+        """
+        reach = 1e-6 * h * h if has_lines else REACH  # a root grows from 0
         box, during = self._hull, between(0.0, h)
         B = box
         for _ in range(8 + self.n):  # each may wait for another to grow
             found = self._plain(self.rates, time, B)
+            if has_lines:
+                self._hold(self.rates.lines)
+                held = self.rates.evaluate(time, B, self.P, noisy=True)[:, 0, 0]
+                found = around_both(found, held)
             needed = balls.add(box, balls.mul(during, found))
             if np.all((needed.lower > B.lower) & (needed.upper < B.upper)):
-                return B, found
+                return B
             low = np.minimum(needed.lower, box.lower)
             B = between(low, np.maximum(needed.upper, box.upper))
             B = Ball(B.c, 1.2 * B.r + balls.UNIT * np.abs(B.c) + reach)
         raise Undecided("no box holds the runs of a step")
-
-    def _crude(self, end: float) -> None:
-        """Take a step x + h f(B), where there is no series: at a switch, or at a root of 0."""
-        new = min(self.t + self.short, end)
-        if not new > self.t:
-            raise Undecided("no room for a step")
-        h = float(moved(self.t, new).upper)
-        time = between(self.t, np.nextafter(self.t + h, np.inf))
-        B, rates = self._picard(time, h, 1e-6 * h * h)  # a root grows from 0
-        x, G = self._set
-        hull = self._walls(time, B, h)
-        self._accept(
-            new, hull, lambda h: (balls.add(x, balls.mul(rates, h)), G), has_walls=True
-        )
-        self.crude += 1
-
-    def _disturbed(self, time: Ball, h: float, d: np.ndarray) -> tuple[Ball, Any, Any]:
-        """Return Picard's box, its walls, and how far noise moves a run, by times in a step."""
-        n = self.n
-        B, _ = self._picard(time, h, REACH)
-        slopes = self.rates.evaluate(time, B, self.P, noisy=True)[:, 0, 1:]
-        J, during = slopes[:, :n].size, slopes[:, -1].size
-        J[np.diag_indices(n)] = np.diag(slopes[:, :n].upper)
-        grows = np.any((d > 0.0) & (during > (1.0 + NOISY) * d))
-        if grows and h > NOISY_STEPS * self.span:
-            raise Undecided("a step is too long for its noise")
-        apart = partial(moved_apart, during, J)
-        apart(h)  # an error if the step is too long
-        return B, self._walls(time, B, h), apart
