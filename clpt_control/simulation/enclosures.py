@@ -357,9 +357,9 @@ def varied_by(
             number = getattr(block.parameters, field)
             value = np.asarray(number, float)
             is_matrix = {*block.parameters._fields} <= MATRICES
-            if field == "interval" or is_matrix or params.keys() & names:
-                continue
-            if not np.any(value):
+            # a long name in the params of a diagram is that of a field of its own, too
+            is_known = params.keys() & names or "." in field
+            if field == "interval" or is_matrix or is_known or not np.any(value):
                 continue
             name = known_name(diagram, names, number)
             is_fixed = not at_known_times or isinstance(number, int)

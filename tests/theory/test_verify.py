@@ -324,3 +324,49 @@ def test_times_of_a_scenario_are_those_of_its_run():
     scenario = clpt.paper_scenario().with_values({"run.duration": 2.0})
     with pytest.raises(clpt.ArgumentError, match="is no time of the run"):
         clpt.verify(scenario, by=(1.5, "e[0] < 9"))
+
+
+def test_a_margin_may_have_limits():
+    for margin in (
+        lambda s: 1.1 - np.clip(s.level, 0, 2),
+        lambda s: np.clip(s.level, 0.5, None) - 0.49,
+    ):
+        assert clpt.verify(
+            tank(), [0, 1], None, [(0.5, 1.0)], always=margin
+        ).status == ("proved")
+
+
+def test_a_part_of_a_parameter_that_a_diagram_gives_by_its_long_name():
+    """a(1) = e^-k, k = 2 within 10 %, is from 0.1108 to 0.1653."""
+
+    def lag(name, state):
+        return control.nlsys(
+            lambda t, x, u, p: [-p["k"] * x[0]],
+            None,
+            states=[state],
+            outputs=[state],
+            inputs=0,
+            params={"k": 1.0},
+            name=name,
+        )
+
+    both = clpt.connect([lag("A", "a"), lag("B", "b")], name="both")
+    both.params = {"A.k": 2.0}
+    for always, status in (("a > 0.12", "refuted"), ("a > 0.1107", "proved")):
+        found = clpt.verify(both, [0, 1], None, [1.0, 1.0], within=0.1, always=always)
+        assert found.status == status
+
+
+def test_a_figure_of_a_verdict_has_the_bound_and_the_run():
+    found = clpt.verify(tank(), [0, 1], None, [(0.5, 1.0)], always="level < 0.9")
+    panel = np.ravel(found.plot())[0]
+    assert panel.get_title(loc="left") == "margin of always level < 0.9"
+    words = [text.get_text() for text in panel.get_legend().get_texts()]
+    assert {"bound", "run"} <= {*words}
+    # the run that begins at 1 has the margin -0.1 there
+    lines = {line.get_label(): line.get_ydata() for line in panel.lines}
+    assert lines["run"][0] == pytest.approx(-0.1, abs=0.05)
+    assert not np.any(lines["bound"])
+    proved = clpt.verify(tank(), [0, 1], None, [(0.5, 0.8)], always="level < 0.9")
+    labels = [line.get_label() for line in np.ravel(proved.plot())[0].lines]
+    assert {"bound", "run"}.intersection(labels) == {"bound"}

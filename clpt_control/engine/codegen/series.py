@@ -8,8 +8,10 @@ Each smooth operation has a recurrence of its coefficients in the table of opera
 
 from collections.abc import Callable, Iterable
 from functools import partial
+from math import inf
 from typing import Any
 
+import numpy as np
 from llvmlite import ir
 from numpy.lib.mixins import NDArrayOperatorsMixin
 
@@ -37,6 +39,13 @@ class Node(NDArrayOperatorsMixin):
     def __array_ufunc__(self, ufunc: Any, method: str, *values: Any) -> "Node":
         arguments = [v.argument if isinstance(v, Node) else float(v) for v in values]
         return Node(self.printer, self.printer.new(UFUNCS[ufunc], *arguments))
+
+    def clip(self, low: Any, high: Any, out: None = None) -> "Node":
+        """Return the number between limits, as NumPy's function asks for it."""
+        low, high = -inf if low is None else low, inf if high is None else high
+        value: Any = self
+        limited: Node = np.minimum(np.maximum(value, low), high)
+        return limited
 
     def __bool__(self) -> bool:
         raise Uncompiled("has a function whose slope is not smooth")

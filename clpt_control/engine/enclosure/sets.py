@@ -38,7 +38,7 @@ from .balls import (
 )
 from .curvature import bend, second_derivatives, with_tangents
 from .noise import REACH, InputNoise, moved_apart, sources, walls
-from .set_program import SetProgram
+from .set_program import DECIDED, SetProgram
 from .set_series import SetSeries
 from .sides import Line
 from .step_length import moved, powers, step_length
@@ -108,6 +108,7 @@ class Enclosure:
         self.second = SetSeries(second, ORDER + 1, along) if is_second else None
         self.rates = SetSeries(rates, 0, along, noise=True)
         self.of_rates = self.wide, self.narrow, self.rates
+        self.has_lines = any(s.rest >= 0 or s.kind in DECIDED for s in self.rates.steps)
         self.leaps = SetSeries(leaps, 0, along, noise=True)
         self.jumps = jumps  # places of their requests in P; None in discrete time
         self.signals = SetSeries(signals, 0, along, noise=True)
@@ -244,11 +245,8 @@ class Enclosure:
             self._step(end)
             if self.h > self.short:  # no longer beside a switch
                 self.short = SHORTEST * self.span
-        except Undecided as error:
-            # beside a switch coefficients may be too large
-            if not (self._is_beside or isinstance(error, Switching)):
-                raise
-            if not self._step_beside(end):
+        except Undecided:
+            if not (self.has_lines and self._step_beside(end)):
                 raise
             self.short = min(QUICKER * self.short, LONGEST * self.span)
 

@@ -19,8 +19,9 @@ import numpy as np
 
 from ...base.arguments import Count, Seed, brief, numbers, public
 from ...base.errors import ArgumentError
+from ...base.figures import RED, legend_above_data, literal
 from ...engine.enclosure.sets import Enclosure
-from ...simulation.enclosures import boxes, is_pair, varied_by
+from ...simulation.enclosures import boxes, is_pair, tube_plot, varied_by
 from ...simulation.integrate import simulate
 from ...simulation.prepared_runs import prepare
 from ...simulation.requests import as_diagram
@@ -29,7 +30,7 @@ from .conclusions import Judged
 from .specification import Specification, named, specification_of
 from .statements import Statement, said
 from .steps import Step
-from .violating_run import Members, Search
+from .violating_run import Members, Search, margins_along
 
 if TYPE_CHECKING:
     import xarray
@@ -66,10 +67,12 @@ class RunVerdict(Judged):
         The run that violates the specification, or the closest one found.
     time, margin : float or None
         Where the margin of that run is least; above 0 it holds.
-    tube : xarray.Dataset or None
+    tube : xarray.Dataset
         Boxes of the set, as `enclose` returns them.
     member : dict
         ``inputs``, ``initial_state`` and ``params`` of `run`.
+    margins : dict
+        Margins of `run` by the names that they have in `tube`.
     sure, possible : float or None
         Of `by`: from when on all runs are in the target, and from when on one may be.
     """
@@ -77,10 +80,28 @@ class RunVerdict(Judged):
     run: "xarray.Dataset | None" = field(default=None, compare=False)
     time: float | None = None
     margin: float | None = None
-    tube: "xarray.Dataset | None" = field(default=None, compare=False)
+    tube: Any = field(default=None, compare=False)
     member: Mapping[str, Any] = field(default_factory=dict, compare=False)
     sure: float | None = None
     possible: float | None = None
+    margins: Mapping[str, np.ndarray] = field(default_factory=dict, compare=False)
+
+    def plot(self, *, ax: Any = None) -> Any:
+        """Draw boxes of the margins, their bound 0, and the margins of `run`.
+
+        A specification holds where its margin is above 0.
+        """
+        axes = tube_plot(self.tube.sel(name=[*self.margins]), ax=ax)
+        panels = np.ravel(axes)
+        for panel, (name, margin) in zip(panels, self.margins.items(), strict=True):
+            panel.set_title(literal(cut(name, 80)), loc="left", fontsize="medium")
+            panel.set_ylabel("margin")
+            panel.axhline(0.0, color=RED, linestyle="--", label="bound")
+            if np.any(np.isfinite(margin)):
+                style = {"color": "black", "linewidth": 0.8, "label": "run"}
+                panel.plot(self.tube.time, margin, **style)
+        legend_above_data(panels[0])
+        return axes
 
     def _shown(self, most: int) -> str:
         return cut(self.claim, most)
@@ -239,12 +260,17 @@ def verify(
         proved = [
             _is_proved(s, name, tube) for name, s in zip(margins, specs, strict=True)
         ]
-    found: dict[str, Any] = {"tube": tube}
+    unknown = np.full(tube.sizes["time"], np.nan)
+    found: dict[str, Any] = {"tube": tube, "margins": dict.fromkeys(margins, unknown)}
     if search is not None and search.best is not None and np.isfinite(search.best[0]):
         least, shares, at = search.best
         member = search.members.member(shares)
         found |= {"time": at, "margin": least, "member": member}
-        found["run"] = simulate(system, times, **member)
+        run = found["run"] = simulate(system, times, **member)
+        found["margins"] = {
+            name: margins_along(spec, run, tube.time.values, labels)
+            for name, spec in zip(margins, specs, strict=True)
+        }
     return _verdict(specs, [*margins], proved, tube, search, refuted, found)
 
 
