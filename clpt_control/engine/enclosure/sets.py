@@ -469,8 +469,11 @@ class Enclosure:
             centre = Ball(*(np.where(is_far, wall, of) for wall, of in ends))
             G.c[is_far] = G.r[is_far] = 0.0
         errors = balls.add(matrix(around(G.r), exact(self.r)), exact(centre.r)).size
-        bent = G.r[:, : self.given] * self.r[: self.given]
-        self.bent += np.sum(bent.T / (self._box(*self._set).r + REACH), axis=1)
+        # what bends runs: the radii of columns, and their shares in noise
+        R = self._box(*self._set).r + REACH
+        share = np.abs(G.c[:, : self.given]) * (centre.r / R)[:, None]
+        bent = (G.r[:, : self.given] + share) * self.r[: self.given]
+        self.bent += np.sum(bent.T / R, axis=1)
         self.m[:n], self.walls = centre.c, walls
         self.G = np.hstack([np.vstack([G.c, self.G[n:]]), np.eye(N, n)])
         self.r = np.concatenate([self.r, errors])
