@@ -370,3 +370,15 @@ def test_a_figure_of_a_verdict_has_the_bound_and_the_run():
     proved = clpt.verify(tank(), [0, 1], None, [(0.5, 0.8)], always="level < 0.9")
     labels = [line.get_label() for line in np.ravel(proved.plot())[0].lines]
     assert {"bound", "run"}.intersection(labels) == {"bound"}
+
+
+def test_a_bound_near_a_rest_holds_between_few_times():
+    """level = 2 (1 - exp(-t / 4)) is below 2; boxes hold over intervals of long steps."""
+    filled = clpt.Block(
+        "tank",
+        update=lambda t, x, u, p: {"level": (1 - 0.5 * x.level) / 2},
+        states={"level": 1},
+    )
+    assert clpt.verify(filled, [0, 50], None, [0.0], always="level < 2").status == (
+        "proved"
+    )

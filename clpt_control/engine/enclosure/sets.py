@@ -435,20 +435,13 @@ class Enclosure:
             h = between(moved(t, begin).lower, moved(t, end).upper)
             x, G = flow(h)
             box = within(self._box(x, G), hull(h))
-            # no state goes farther from that at an end than at its rates
             length = float(moved(begin, end).upper)
-            with suppress(Undecided):
-                far = self._plain(self.rates, inside, box)
-                reach = balls.add(before, balls.mul(between(0.0, length), far))
-                box = within(box, reach)
+            box = self._reached(box, before, inside, between(0.0, length))
             if end == self.times[k]:
                 x_end, G_end = flow(moved(t, end))
                 before = within(self._box(x_end, G_end), hull(moved(t, end)))
                 self._write(0, rows, exact(end), x_end, G_end, before)
-                with suppress(Undecided):
-                    far = self._plain(self.rates, inside, box)
-                    reach = balls.add(before, balls.mul(between(-length, 0.0), far))
-                    box = within(box, reach)
+                box = self._reached(box, before, inside, between(-length, 0.0))
             self._write(1, rows, inside, x, G, box)
         # 2. the set
         end = moved(t, new)
@@ -456,6 +449,14 @@ class Enclosure:
         self._put(x, G, hull(end) if has_walls else None)
         self.h, self.t = new - t, new
         self.steps += 1
+
+    def _reached(self, box: Ball, known: Ball, time: Ball, ago: Ball) -> Ball:
+        """Return a box over an interval, no farther from that at an end than at its rates."""
+        with suppress(Undecided):
+            for _ in range(2):  # rates of the box that the first ones leave
+                far = self._plain(self.rates, time, box)
+                box = within(box, balls.add(known, balls.mul(ago, far)))
+        return box
 
     def _put(self, centre: Ball, G: Ball, walls: Ball | None) -> None:
         """Replace the set; its errors are new columns, the shortest of which become a box.
