@@ -67,8 +67,11 @@ EXAMPLES = {  # argument -> example for its message
     "within": "{'angle': (-1.0, 1.0)}",
     "parameters": "{'k': (start, low, high)}",
     "box": "(41, 41.5, -69.9, -69.1): south, north, west, east",
+    "by": "(3.0, 'rate < 1')",
     "inputs": "{'e': 2}",
     "outputs": "{'y': 1}",
+    "states": "{'x': 1}",
+    "where": "{'torque': (-1.0, 1.0)}",
     "params": "{'k': 2.0} for a parameter k",
     "vary": "'learning.gain=0.2:2.0'",
     "replace": "{'vehicle': block}",
@@ -551,6 +554,7 @@ def nearest(name: str, names: Iterable[str]) -> str:
         return last
     lower = name.lower()
     close = [
+        *(one for one in candidates if one.rpartition(".")[2] == name),
         *difflib.get_close_matches(name, candidates, n=1),
         *difflib.get_close_matches(lower, candidates, n=1),
         *(one for one in candidates if one.startswith(lower) and len(lower) > 2),

@@ -100,7 +100,7 @@ def _members(data: "xarray.Dataset") -> str:
 def _draw_bands(ax: Any, x: "xarray.DataArray", bands: np.ndarray) -> None:
     """Draw percentiles over x, on a logarithmic axis if they are positive and not over time."""
     if not np.isfinite(bands).any():
-        message = "no run has come so far"
+        message = "no value in any run"
         ax.text(0.5, 0.5, message, ha="center", color=GREY, transform=ax.transAxes)
         ax.set_axis_off()
         return

@@ -241,7 +241,7 @@ def _grid_shares(
         )
         raise ScenarioError(
             f"members = {members}: this grid must have {lists:.9g}{allowed}, every value with all "
-            "values of the other keys. For pairs run clpt.prepare in a loop"
+            "values of the other keys. A range is '0.4:0.6'; for pairs run clpt.prepare in a loop"
         )
     # 2. the level of each member, and its share
     sizes = np.repeat([count or n for count in fixed], columns)

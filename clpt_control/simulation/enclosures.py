@@ -331,8 +331,8 @@ def _margin(name: str, margin: Any, values: tuple, signals: SetProgram) -> int:
     kinds = {step.kind for step in signals.steps[first:]}
     if kinds & ({*DECIDED, "mod", "pick", "where"}):
         raise ArgumentError(
-            f"{name}: jumps. Give a number that is above 0 where the specification holds, in "
-            "continuous functions"
+            f"{name}: jumps. Give a number that is above 0 where the specification holds, such as "
+            "0.9 - s.level, in continuous functions"
         )
     return signals.interval_of(slots[0])
 

@@ -149,7 +149,7 @@ def verify(
     pieces: int = opt("COUNT", "Pieces of the set, at most.", default=1),
     as_json: Json = False,
 ) -> None:
-    """Judge a specification of every run: proved, refuted, open.
+    """Judge a specification of every run: proved (exit status 0), refuted, open.
 
     Example:
         clpt verify mine.toml --always "e[0] < 3" --flow 0.01 --until 5
@@ -189,6 +189,8 @@ def verify(
     report["conditions"] = [f"{condition}" for condition in verdict.conditions]
     result = Result("Specification", ["holds", "how", "claim"], rows, [line])
     finish([result], report, as_json)
+    if verdict.status != "proved":
+        raise SimulationError(f"the specification is {verdict.status}")
 
 
 def _print_outcomes(outcomes: dict[Any, Any], as_json: bool) -> None:

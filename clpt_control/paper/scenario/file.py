@@ -63,7 +63,9 @@ def tables_of(text: str, name: str) -> Nested:
     try:
         return tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
-        raise ScenarioError(f"{name}: is not valid TOML: {error}") from None
+        raise ScenarioError(
+            f"{name}: is not valid TOML: {error}. A text has quotes"
+        ) from None
     except RecursionError:
         raise ScenarioError(
             f"{name}: brackets are nested too deep; at most 3 levels"

@@ -313,8 +313,10 @@ def _draw_eigenvalues(
         ax.semilogy(starts, values[:, k], ".-", color=color, markersize=3, label=label)
     style: dict[str, Any] = {"color": "black", "linestyle": ":", "linewidth": 1.0}
     ax.axvline(excitation.start, label="window below", **style)
+    if values.max() < 1.01 * values.min():  # rounding is no change
+        ax.set_ylim(0.5 * values.min(), 2.0 * values.max())
     unit = excitation.time_unit
-    ax.set_xlabel(f"start of the window ({unit})")
+    ax.set_xlabel("start of the window" + (f" ({unit})" if unit else ""))
     ax.set_title(f"{axis}: window of {excitation.window:g} {unit}", **TITLE)
 
 

@@ -132,6 +132,16 @@ class SystemCandidate(LyapunovCandidate):
                     f"where: {s} is given by a relation, {self.relations.text!s}. Give bounds of "
                     "the other states"
                 )
+        for s in self.parameters:
+            if str(s) in where:
+                raise DiagramError(
+                    f"where: {s} is a parameter. Make it an input to give it bounds"
+                )
+        if self.V.is_number and self.V:
+            raise DiagramError(
+                f"{system.name}: V is the number {self.V}. Give a function of states that rises "
+                "from the rest, such as lambda s: s.x**2"
+            )
         self.where = Where(where, self.states, self.inputs, self.V)
         if where and self.eq.undefined:
             limited = self._equations(names, self.where.undefined)

@@ -266,9 +266,10 @@ def verify(
         least, shares, at = search.best
         member = search.members.member(shares)
         found |= {"time": at, "margin": least, "member": member}
-        run = found["run"] = simulate(system, times, **member)
+        found["run"] = simulate(system, times, **member)
+        closest = search.run(**member)
         found["margins"] = {
-            name: margins_along(spec, run, tube.time.values, labels)
+            name: margins_along(spec, closest, *search.of)
             for name, spec in zip(margins, specs, strict=True)
         }
     return _verdict(specs, [*margins], proved, tube, search, refuted, found)
@@ -290,7 +291,7 @@ def _read(
         specification_of(n, v, t, sign) for n, v, t, sign in given if v is not None
     ]
     if not specs:
-        raise ArgumentError("verify: has no specification. Give always=, never= or by=")
+        raise ArgumentError("verify: has no specification. Give always, never or by")
     times = timepts if timepts is None else numbers("timepts", timepts)
     is_row = times is not None and times.ndim == 1 and times.size > 0
     if times is not None and is_row and _are_held(inputs, len(times)):

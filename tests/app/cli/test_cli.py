@@ -380,7 +380,7 @@ def test_figures_that_json_cannot_hold_are_said(clpt):
 
 
 @pytest.mark.long  # 5 s of CPU: boxes of the loop from its start
-def test_verify_judges_all_runs_of_a_scenario(printed):
+def test_verify_judges_all_runs_of_a_scenario(clpt, printed):
     clpt_control.save_scenario(clpt_control.paper_scenario(), "s.toml")
     far = "hypot(e[0], e[1]) < 3"
     found = printed(
@@ -388,8 +388,10 @@ def test_verify_judges_all_runs_of_a_scenario(printed):
     )
     assert (found["status"], found["conclusion"]) == ("proved", "holds on every run")
     near = "0.5: hypot(e[0], e[1]) < 0.05"
-    found = printed("verify", "s.toml", "--by", near, "--until", "1")
+    status, out, err = clpt("verify", "s.toml", "--by", near, "--until", "1", "--json")
+    found = json.loads(out)
     assert (found["status"], found["margin"] < 0.0) == ("refuted", True)
+    assert (status, err) == (1, "clpt: the specification is refuted\n")
 
 
 # --- manners -------------------------------------------------------------------------------------
