@@ -336,6 +336,7 @@ def test_a_margin_may_have_limits():
         ).status == ("proved")
 
 
+@pytest.mark.long  # 6 s of CPU: a diagram that runs in Python
 def test_a_part_of_a_parameter_that_a_diagram_gives_by_its_long_name():
     """a(1) = e^-k, k = 2 within 10 %, is from 0.1108 to 0.1653."""
 
@@ -370,6 +371,29 @@ def test_a_figure_of_a_verdict_has_the_bound_and_the_run():
     proved = clpt.verify(tank(), [0, 1], None, [(0.5, 0.8)], always="level < 0.9")
     labels = [line.get_label() for line in np.ravel(proved.plot())[0].lines]
     assert {"bound", "run"}.intersection(labels) == {"bound"}
+
+
+@pytest.mark.long  # 2 s of CPU: a limited loop of 20 s
+@pytest.mark.parametrize("times", [[0, 20], np.linspace(0, 20, 41)])
+@pytest.mark.parametrize("rain", [(0.0, 0.2), {"wanted": 1.0, "rain": (0.0, 0.2)}])
+def test_an_input_that_changes_once_may_violate(times, rain):
+    """The integral of a limited law is that of no rain when 0.2 comes: 1.08 at rest, then less."""
+    tank = clpt.Block(
+        "tank",
+        update=lambda t, x, u, p: {"level": u.valve + u.rain - 0.5 * x.level},
+        inputs={"valve": 1, "rain": 1},
+        states={"level": 1},
+    )
+    law = clpt.parts.pid(2.0, 0.4, low=0, high=1, r="wanted", y="level", u="valve")
+    loop = clpt.connect([law, tank], external=["wanted", "rain"])
+    inputs = rain if isinstance(rain, dict) else [1.0, rain]
+    found = clpt.verify(
+        loop, times, inputs, {"tank_level": (0.0, 0.3)}, always="level < 1.027"
+    )
+    assert found.status == "refuted"
+    assert float(found.run.level.max()) > 1.027
+    held = clpt.simulate(loop, np.linspace(0, 20, 201), [1.0, 0.2], {"tank_level": 0.0})
+    assert float(held.level.max()) < 1.0  # with rain all along
 
 
 def test_a_bound_near_a_rest_holds_between_few_times():

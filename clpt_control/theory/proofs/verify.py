@@ -240,7 +240,7 @@ def verify(
     # 2. a run that violates
     search, refuted = None, None
     if not all(proved):
-        members = Members(given)
+        members = Members(given, times)
         run: Any = partial(simulate, system, times)
         if not (diagram := as_diagram(system)[0]).dt:
             at = tube.time.values if times is None else times
@@ -294,7 +294,7 @@ def _read(
         raise ArgumentError("verify: has no specification. Give always, never or by")
     times = timepts if timepts is None else numbers("timepts", timepts)
     is_row = times is not None and times.ndim == 1 and times.size > 0
-    if times is not None and is_row and _are_held(inputs, len(times)):
+    if times is not None and is_row and _are_held(inputs, len(times), system):
         dt = as_diagram(system)[0].dt
         span, count = float(times[-1] - times[0]), max(TIMES, len(times))
         extra = times[0] + span * np.linspace(0.0, 1.0, count + 1)
@@ -322,15 +322,18 @@ def _at_times(specs: list[Specification], times: np.ndarray) -> list[Specificati
     return begun
 
 
-def _are_held(inputs: Any, count: int) -> bool:
+def _are_held(inputs: Any, count: int, system: Any) -> bool:
     """Return whether no input has a sample for each of some times; others are refused later."""
     entries = inputs.values() if isinstance(inputs, Mapping) else inputs
     with suppress(TypeError, ValueError):
-        if inputs is None or (np.ndim(inputs) == 0 and not isinstance(inputs, Mapping)):
+        is_plain = not isinstance(inputs, Mapping | list | tuple)
+        if inputs is None or (is_plain and np.ndim(inputs) == 0):
             return True
         ends = [one[0] if is_pair(one) else one for one in entries]
+        # numbers of a list are one for each input, or else one for each time
+        are_inputs = len(ends) == as_diagram(system)[0].ninputs
         are_rows = not isinstance(inputs, Mapping) and len(ends) == count
-        return not are_rows and all(np.ndim(end) == 0 for end in ends)
+        return (are_inputs or not are_rows) and all(np.ndim(end) == 0 for end in ends)
     return False
 
 

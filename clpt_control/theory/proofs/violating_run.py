@@ -17,10 +17,13 @@ MOST_ENDED = 3  # runs that end before the last time
 
 
 class Members:
-    """Members of the sets of inputs, states and parameters, by shares from 0 to 1 of each pair."""
+    """Members of the sets of inputs, states and parameters, by shares from 0 to 1 of each pair.
 
-    def __init__(self, given: Mapping[str, Any]):
-        self.given = given
+    Along some `times` an input with one pair changes once, as its third share says when.
+    """
+
+    def __init__(self, given: Mapping[str, Any], times: np.ndarray | None = None):
+        self.given, self.times = given, times
         self.count = 0
         self.member(np.zeros(0))
 
@@ -42,6 +45,11 @@ class Members:
             if any(map(is_labelled, value)):  # an end, whole, with its labels
                 return end_of(name, value, bool(share() > 0.5))
             low, high = (numbers(name, end) for end in value)
+            if name == "inputs" and self.times is not None and not low.ndim:
+                levels, when = [share(), share()], 0.1 + 0.8 * share()
+                is_last = np.arange(len(self.times)) > when * len(self.times)
+                steps = np.take(levels, is_last.astype(int))
+                return np.clip(low + steps * (high - low), low, high)
             at = np.array([share() for _ in range(low.size)]).reshape(low.shape)
             return np.clip(low + at * (high - low), low, high)[()]
         if isinstance(value, list):
