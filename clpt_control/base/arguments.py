@@ -81,14 +81,8 @@ EXAMPLES = {  # argument -> example for its message
     "insert": "{('v_x', 'vehicle'): lag}",
     "values": "{'learning.gain': 2.0}",
 }
-HIDDEN = {
-    "self",
-    "cls",
-    "_cls",
-    "ports",
-    "options",
-    "optional",
-}  # not in lists of arguments
+# not in lists of arguments
+HIDDEN = {"self", "cls", "_cls", "ports", "options", "optional"}
 # words in names that other libraries have for the limits low and high
 OF_LIMITS = ("limit", "min", "max", "bound", "sat", "range")
 TIMES = "timepts", "Give the times as timepts"

@@ -57,7 +57,7 @@ from .statements import Statement, joined, said
 from .steps import Step, checked, exact
 from .symbolic_loop import refuse_no_rates
 from .ultimate_bounds import bound_of_V
-from .where import NOTHING, Where, rest_of
+from .where import NOTHING, Where, check_where, rest_of
 
 MOST_IN_PRODUCT = 1000  # terms of a fraction that is factored
 
@@ -126,21 +126,14 @@ class SystemCandidate(LyapunovCandidate):
         self.given: dict[Any, Expr] = {}  # margin -> what it stands for
         self.level_values = self.eq.values
         self.are_numbers |= bool(self.eq.pinned or (numbers and self.eq.fields))
-        for s in self.relations.solved:
-            if str(s) in where:
-                raise DiagramError(
-                    f"where: {s} is given by a relation, {self.relations.text!s}. Give bounds of "
-                    "the other states"
-                )
-        for s in self.parameters:
-            if str(s) in where:
-                raise DiagramError(
-                    f"where: {s} is a parameter. Make it an input to give it bounds"
-                )
+        relation = f"is given by a relation, {self.relations.text!s}"
+        check_where(
+            where, self.relations.solved, relation, "Give bounds of other states"
+        )
+        check_where(where, self.parameters, "is a parameter", "Make it an input")
         if self.V.is_number and self.V:
             raise DiagramError(
-                f"{system.name}: V is the number {self.V}. Give a function of states that rises "
-                "from the rest, such as lambda s: s.x**2"
+                f"{system.name}: V = {self.V}: has no state. Give one: lambda s: s.x**2"
             )
         self.where = Where(where, self.states, self.inputs, self.V)
         if where and self.eq.undefined:

@@ -8,7 +8,7 @@ and at most that if it is convex.  So a bound of V' at each corner is one for ev
 bounds.  Sines, cosines, tanh and e^(-c t) are between numbers, as inputs are.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Container, Iterable, Mapping, Sequence
 from math import isinf, pi
 from types import MappingProxyType
 from typing import Any
@@ -42,6 +42,15 @@ def rest_of(states: Sequence[Any], values: Mapping[str, float]) -> dict[Any, Exp
         turns, number = (rational(float(value) / unit) for unit in (pi, 1))
         rest_state[names[name]] = turns * sympy.pi if turns.q <= MOST_TURNS else number
     return rest_state
+
+
+def check_where(
+    where: Container[str], names: Iterable[Any], what: str, cure: str
+) -> None:
+    """Refuse bounds of what has none."""
+    for s in names:
+        if str(s) in where:
+            raise DiagramError(f"where: {s} {what}. {cure}")
 
 
 class Where:
