@@ -86,13 +86,13 @@ class FittedOutput(NamedTuple):
         if np.nansum(self.residuals**2) < EXACT**2 * size:
             return quality
         count = np.isfinite(self.residuals).sum()
-        if abs(self.correlation) >= WHITE / np.sqrt(count):
-            errors = "are too small" if self.correlation > 0.0 else "may be wrong"
-            return f"{quality}; residuals are not noise: the errors {errors}"
         # noise alone explains 1/count less than its mean does
         if self.explained < -(WHITE**2) / count:
             poor = "the model is farther from the data than their mean"
-            return f"{quality}; {poor}: the errors are too small"
+            return f"{quality}; {poor}: the errors are too small, begin elsewhere"
+        if abs(self.correlation) >= WHITE / np.sqrt(count):
+            errors = "are too small" if self.correlation > 0.0 else "may be wrong"
+            return f"{quality}; residuals are not noise: the errors {errors}"
         return quality
 
 
