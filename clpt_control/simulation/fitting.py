@@ -87,10 +87,12 @@ class FittedOutput(NamedTuple):
             return quality
         count = np.isfinite(self.residuals).sum()
         # noise alone explains 1/count less than its mean does
-        if self.explained < -(WHITE**2) / count:
+        is_far = self.explained < -(WHITE**2) / count
+        is_white = abs(self.correlation) < WHITE / np.sqrt(count)
+        if is_far and (is_white or self.explained > -np.inf):
             poor = "the model is farther from the data than their mean"
             return f"{quality}; {poor}: the errors are too small, begin elsewhere"
-        if abs(self.correlation) >= WHITE / np.sqrt(count):
+        if not is_white:
             errors = "are too small" if self.correlation > 0.0 else "may be wrong"
             return f"{quality}; residuals are not noise: the errors {errors}"
         return quality

@@ -322,7 +322,8 @@ def test_a_dead_channel_whose_residuals_are_white_is_told():
     place, speed = repr(found).splitlines()[-2:]
     assert "too small" not in place
     assert speed.endswith(
-        "the model is farther from the data than their mean: the errors are too small, begin elsewhere"
+        "the model is farther from the data than their mean: the errors are too small, "
+        "begin elsewhere"
     )
 
 
