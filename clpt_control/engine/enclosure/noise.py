@@ -58,12 +58,15 @@ def sources(
     return between(np.min(found, axis=0)[0], np.max(found, axis=0)[1])
 
 
-def moved_apart(d: ndarray, J: ndarray, h: float) -> ndarray:
+def moved_apart(d: ndarray, J: ndarray, sizes: ndarray, h: float) -> ndarray:
     """Return how far two runs from one state are apart after a time.
 
     Their rates differ by d at one state.  |x - y| is at most the integral of exp(J (h - s)) d, J a
-    bound of the Jacobian, with its signs on the diagonal.
+    bound of the Jacobian, with its signs on the diagonal.  States are in units of about their
+    sizes, powers of 2, so that nothing is rounded.
     """
+    units = 2.0 ** np.round(np.log2(sizes))
+    d, J = d / units, J * units / units[:, None]
     if not h * np.max(np.sum(np.abs(J), axis=1)) < 2.0:
         raise Undecided("a step is too long for its noise")
     term = total = balls.mul(exact(d), exact(h))
@@ -73,7 +76,8 @@ def moved_apart(d: ndarray, J: ndarray, h: float) -> ndarray:
         total = balls.add(total, term)
         if k > 4 and np.max(term.c) < balls.UNIT * np.max(total.c):
             break
-    return (total.upper + 2.0 * np.max(term.size)) * balls.GROWTH + REACH
+    far = (total.upper + 2.0 * np.max(term.size)) * balls.GROWTH + balls.TINY
+    return far * units + REACH
 
 
 def walls(

@@ -296,14 +296,16 @@ class Enclosure:
 
     def _noise_box(
         self, time: Ball, h: float, has_lines: bool = False
-    ) -> tuple[Ball, np.ndarray, np.ndarray]:
-        """Return a box that no run leaves in a step, and its noise and slopes."""
+    ) -> tuple[Ball, np.ndarray, Any]:
+        """Return a box that no run leaves in a step, its noise, and how far that moves a run."""
         n = self.n
         B = self._picard(time, h, has_lines)
-        slopes = self.rates.evaluate(time, B, self.P, noisy=True)[:, 0, 1:]
+        found = self.rates.evaluate(time, B, self.P, noisy=True)[:, 0]
+        slopes, d = found[:, 1:], found[:, -1].size
         J = slopes[:, :n].size
         J[np.diag_indices(n)] = np.diag(slopes[:, :n].upper)
-        return B, slopes[:, -1].size, J
+        sizes = B.size + self.span * found[:, 0].size + REACH
+        return B, d, partial(moved_apart, d, J, sizes)
 
     def _step(self, end: float, beside: Any = None) -> None:
         """Take a step by series."""
@@ -498,11 +500,10 @@ class Enclosure:
         p, h = ORDER, float(step.upper)
         time = between(self.t, np.nextafter(self.t + h, np.inf))
         if d is not None:
-            B, during, J = beside or self._noise_box(time, h)
+            B, during, apart = beside or self._noise_box(time, h)
             grows = np.any((d > 0.0) & (during > (1.0 + NOISY) * d))
             if grows and not beside and h > NOISY_STEPS * self.span:
                 raise Undecided("a step is too long for its noise")
-            apart = partial(moved_apart, during, J)
             apart(h)  # an error if the step is too long
             found = self.narrow.evaluate(time, B, self.P)[:, p + 1, 0]
             return found, self._walls(time, B, h), apart
