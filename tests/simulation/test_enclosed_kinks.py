@@ -1,6 +1,7 @@
 """Boxes of kinks and jumps that a set straddles: lines in their place keep slopes."""
 
 import itertools
+import math
 
 import numpy as np
 import pytest
@@ -122,3 +123,30 @@ def test_a_map_with_a_kink_and_an_output_keep_their_slopes():
     # x / 2 + 0.1 + (0, 0.1) stands for the maximum
     assert -0.1 - 1e-9 <= tube.lower[-1, -1] <= 0.0
     assert 0.2 <= tube.upper[-1, -1] <= 0.2 + 1e-9
+
+
+def test_states_of_very_different_sizes_straddle_a_kink():
+    """The integral of |s| s with s = 1e-6 sin t beside a state of 1."""
+    model = block(
+        lambda t, x, u, p: [1e-6 * np.cos(t), 1e12 * np.abs(x.x[0]) * x.x[0]], 2
+    )
+    tube = clpt.enclose(model, [0, 1], None, [(-1e-7, 1e-7), 0.0])
+    assert tube.status == "finished"
+    assert tube.steps < 1000
+    # s = a + sin t in units of 1e-6: its square is negative up to the crossing
+    for a in (-0.1, 0.0, 0.1):
+        # the integral of (a + sin t)^2 from 0
+        crossing = max(math.asin(-a), 0.0)
+        ends = [
+            (a * a + 0.5) * t - 2 * a * math.cos(t) - math.sin(2 * t) / 4
+            for t in (0.0, crossing, 1.0)
+        ]
+        area = ends[2] - 2 * ends[1] + ends[0]
+        assert tube.lower[-1, 1] <= area + 1e-12
+        assert area - 1e-12 <= tube.upper[-1, 1]
+
+
+def test_a_loop_that_begins_at_the_root_of_0_has_boxes_over_a_short_time():
+    loop = clpt.closed_loop(clpt.paper_scenario())
+    tube = clpt.enclose(loop, [0, 0.01], None, [0.0] * 14)
+    assert tube.status == "finished"

@@ -245,10 +245,17 @@ class Enclosure:
             self._step(end)
             if self.h > self.short:  # no longer beside a switch
                 self.short = SHORTEST * self.span
-        except Undecided:
-            if not (self.has_lines and self._step_beside(end)):
+        except Undecided as error:
+            if not self.has_lines:
                 raise
-            self.short = min(QUICKER * self.short, LONGEST * self.span)
+            larger = QUICKER
+            if not self._step_beside(end):
+                larger = LARGER
+                try:
+                    self._crude(end)
+                except Undecided:
+                    raise error from None
+            self.short = min(larger * self.short, LONGEST * self.span)
 
     @property
     def _is_beside(self) -> bool:
@@ -272,6 +279,19 @@ class Enclosure:
             self._hold({})
         self.crude += 1
         return True
+
+    def _crude(self, end: float) -> None:
+        """Take a short step x + h f(B), where coefficients are too large beside a root."""
+        new, (x, G) = min(self.t + self.short, end), self._set
+        h = float(moved(self.t, new).upper)
+        time = between(self.t, np.nextafter(self.t + h, np.inf))
+        B = self._picard(time, h, 1e-6 * h * h)
+        rates = self._plain(self.rates, time, B)
+        hull = self._walls(time, B, h)
+        self._accept(
+            new, hull, lambda h: (balls.add(x, balls.mul(rates, h)), G), has_walls=True
+        )
+        self.crude += 1
 
     def _held(self, end: float, least: float) -> tuple[float, Any]:
         """Return the end of a step with little noise, or a short one, and its `_noise_box`."""
@@ -299,7 +319,8 @@ class Enclosure:
     ) -> tuple[Ball, np.ndarray, Any]:
         """Return a box that no run leaves in a step, its noise, and how far that moves a run."""
         n = self.n
-        B = self._picard(time, h, has_lines)
+        reach = 1e-6 * h * h if has_lines else REACH  # a root grows from 0
+        B = self._picard(time, h, reach, has_lines)
         found = self.rates.evaluate(time, B, self.P, noisy=True)[:, 0]
         slopes, d = found[:, 1:], found[:, -1].size
         J = slopes[:, :n].size
@@ -521,12 +542,13 @@ class Enclosure:
             reach = np.maximum(reach, 4.0 * needed)
         raise Undecided("no box holds the runs of a step")
 
-    def _picard(self, time: Ball, h: float, has_lines: bool) -> Ball:
+    def _picard(
+        self, time: Ball, h: float, reach: float, has_lines: bool = False
+    ) -> Ball:
         """Return a box that no run leaves during a step.
 
         With lines in the place of decisions, no run of these leaves it either.
         """
-        reach = 1e-6 * h * h if has_lines else REACH  # a root grows from 0
         box, during = self._hull, between(0.0, h)
         B = box
         for _ in range(8 + self.n):  # each may wait for another to grow
