@@ -150,3 +150,16 @@ def test_a_loop_that_begins_at_the_root_of_0_has_boxes_over_a_short_time():
     loop = clpt.closed_loop(clpt.paper_scenario())
     tube = clpt.enclose(loop, [0, 0.01], None, [0.0] * 14)
     assert tube.status == "finished"
+
+
+def test_a_map_whose_line_would_leave_its_domain_has_the_values_of_both_sides():
+    model = clpt.Block(
+        "model",
+        update=lambda t, x, u, p: 0.1 / np.maximum(x.x, 0.05),
+        states={"x": 1},
+        dt=1.0,
+    )
+    tube = clpt.enclose(model, range(3), None, [(-1.0, 1.0)])
+    assert tube.lower[1, 0] <= 0.1
+    assert 2.0 <= tube.upper[1, 0] <= 2.1
+    assert tube.status == "finished"

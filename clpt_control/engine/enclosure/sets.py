@@ -198,7 +198,7 @@ class Enclosure:
                 series.held = series.lines
                 J = series.evaluate(t, box, self.P, noisy=True)[:, 0, 1:]
             y = series.evaluate(t, x, middle)[:, 0, 0]
-        except Switching:
+        except Undecided:  # a line may leave where a function has a value
             y = self._plain(series, t, box)
             return y, exact(np.zeros((len(y.c), len(self.r))))
         finally:
