@@ -530,7 +530,7 @@ def dataset_of(
             "message": message,
             "status": "stopped" if first.why else "finished",
             "steps": sum(piece.steps for piece in pieces),
-            "steps_without_series": sum(piece.crude for piece in pieces),
+            "steps_beside_switches": sum(piece.beside for piece in pieces),
         },
     )
 

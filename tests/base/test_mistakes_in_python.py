@@ -64,6 +64,15 @@ def vary(**named):
 MISTAKES = """
 clpt.Block("b", update=lambda t, x, u: [0.0], states={"x": 1}) -> but 4 were given. Its arguments are t, x, u, p
 clpt.lyapunov(PEN, within={"angle": 1.0}) -> must be a dict of lists of numbers by name or None, such as {'angle': (-1.0, 1.0)}
+clpt.lyapunov(PEN, lambda s: s.angle**2, where={"d": (0.1, 1)}) -> where: d is a parameter. Make it an input
+clpt.lyapunov(PEN, lambda s: 1.0) -> V = 1: has no state. Give one: lambda s: s.x**2
+clpt.lyapunov(PEN, lambda x, u: x) -> A block's has t, x, u, p; one of signals s
+clpt.lyapunov(PEN, lambda s: s.angle**2, where={"torque": 3}) -> or None by name or None, such as {'torque': (-1.0, 1.0)}
+clpt.verify(PEN, [0, 1], None, [0, 0], by="3: angle < 1") -> or functions or None, such as (3.0, 'rate < 1')
+clpt.verify(PEN, [0, 1], None, [0, 0], always=lambda s: s.angle < 3) -> where the specification holds, such as 0.9 - s.level
+clpt.Block("b", update=print, states=["x"]) -> by name or None, such as {'x': 1}
+clpt.fit_parameters(parts.lag(1), {"y": [0.0, 0.1]}, {"gain": 1.0}, [0, 1]) -> Did you mean 'lag.gain'?
+clpt.run_ensemble(PEN, {"pen.d": [0.4, 0.6]}, 100, timepts=[0, 1]) -> A range is '0.4:0.6'
 clpt.fit_parameters(PEN, None, ["d"]) -> must be a dict of values by name, such as {'k': (start, low, high)}
 parts.lag(INF) -> lag: lag = inf: must be finite
 parts.lag(1, gain=NAN) -> lag: gain = nan: must be finite

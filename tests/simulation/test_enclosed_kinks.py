@@ -27,6 +27,11 @@ SIDES = {
         [-0.3, 0.0, 0.3, 0.6, 0.9],
         2.5,
     ),  # areas of whole turns are equal
+    "remainder below 0": (
+        lambda s, of: of.mod(s, -0.3),
+        [-0.3, 0.0, 0.3, 0.6, 0.9],
+        2.5,
+    ),
     "table": (
         lambda s, of: of.interp(s, [-1.0, -0.1, 0.3, 2.0], [1.0, -1.0, 2.0, 0.5]),
         [-0.1, 0.3],
@@ -163,3 +168,12 @@ def test_a_map_whose_line_would_leave_its_domain_has_the_values_of_both_sides():
     assert tube.lower[1, 0] <= 0.1
     assert 2.0 <= tube.upper[1, 0] <= 2.1
     assert tube.status == "finished"
+
+
+def test_short_steps_beside_a_root_have_powers_that_do_not_underflow():
+    """s = t passes 1/2: the integral of the root of |s - 1/2| is 4/3 of (1/2)^1.5 at 1."""
+    model = block(lambda t, x, u, p: [1.0, np.sqrt(np.abs(x.x[0] - 0.5))], 2)
+    tube = clpt.enclose(model, [0, 0.5, 1], None, [0.0, (0.0, 0.1)])
+    area = 4 / 3 * 0.5**1.5
+    assert tube.lower[-1, 1] <= 1e-12 + area
+    assert 0.1 + area - 1e-12 <= tube.upper[-1, 1] <= 0.11 + area

@@ -429,7 +429,7 @@ def test_runs_over_switches_lie_within_boxes(rate, start, end, exact, jumps):
     tube = clpt.enclose(block(rate, 1), [0, end], initial_state=[start])
     assert tube.status == "finished"
     assert ("Filippov" in tube.message) == jumps
-    assert tube.steps >= tube.steps_without_series > 0
+    assert tube.steps >= tube.steps_beside_switches > 0
     assert tube.lower[-1, 0] <= exact + 1e-15
     assert tube.upper[-1, 0] >= exact - 1e-15
 

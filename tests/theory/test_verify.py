@@ -182,7 +182,7 @@ def test_members_of_ends_with_labels_are_ends():
     assert {*itertools.chain(verdict.member["initial_state"].values())} <= {0.0, 0.1}
 
 
-def lag(state="x"):
+def lag(state="x", name="lag"):
     return control.nlsys(
         lambda t, x, u, p: [-p["k"] * x[0]],
         None,
@@ -190,7 +190,7 @@ def lag(state="x"):
         outputs=[state],
         inputs=0,
         params={"k": 1.0},
-        name="lag",
+        name=name,
     )
 
 
@@ -340,18 +340,7 @@ def test_a_margin_may_have_limits():
 def test_a_part_of_a_parameter_that_a_diagram_gives_by_its_long_name():
     """a(1) = e^-k, k = 2 within 10 %, is from 0.1108 to 0.1653."""
 
-    def lag(name, state):
-        return control.nlsys(
-            lambda t, x, u, p: [-p["k"] * x[0]],
-            None,
-            states=[state],
-            outputs=[state],
-            inputs=0,
-            params={"k": 1.0},
-            name=name,
-        )
-
-    both = clpt.connect([lag("A", "a"), lag("B", "b")], name="both")
+    both = clpt.connect([lag("a", "A"), lag("b", "B")], name="both")
     both.params = {"A.k": 2.0}
     for always, status in (("a > 0.12", "refuted"), ("a > 0.1107", "proved")):
         found = clpt.verify(both, [0, 1], None, [1.0, 1.0], within=0.1, always=always)

@@ -46,7 +46,7 @@ from .step_length import moved, powers, step_length
 ORDER = 26  # at most 60, for the radii of `ball_series`
 TERMS = 100  # of a set, for each state
 LEAST = 2.0**-30  # of a run: the shortest step
-SHORTEST = 2.0**-38  # of a run: the shortest step without series
+SHORTEST = 2.0**-38  # of a run: the shortest step beside a switch
 LONGEST = 2.0**-8  # of a run: the longest of these
 LARGER = 1.1  # the longest step after another one
 QUICKER = 1.5  # of short steps with lines in the place of decisions
@@ -127,7 +127,7 @@ class Enclosure:
         self.span = float(times[-1] - times[0])
         self.place = times.searchsorted
         self.h, self.short = np.inf, SHORTEST * self.span
-        self.steps = self.crude = 0  # all steps, and those beside a switch
+        self.steps = self.beside = 0  # all steps, and those beside a switch or a root
         shape = 2, 2, len(times), n + len(signals.results)
         self.bounds = np.full(shape, EMPTY)
         self.lost: dict[int, str] = {}  # signals without bounds, and why
@@ -236,7 +236,7 @@ class Enclosure:
         np.maximum(upper, high, out=upper)
 
     def _advance(self, end: float) -> None:
-        """Take a step, without series if there is none."""
+        """Take a step, with lines or by rates alone if there is no series."""
         if self.jumps is None:
             self._leap()
             self.t, self.steps = end, self.steps + 1
@@ -252,14 +252,14 @@ class Enclosure:
             if not self._step_beside(end):
                 larger = LARGER
                 try:
-                    self._crude(end)
+                    self._step_by_rates(end)
                 except Undecided:
                     raise error from None
             self.short = min(larger * self.short, LONGEST * self.span)
 
     @property
     def _is_beside(self) -> bool:
-        """True after a step without series, while these may still grow."""
+        """True after a short step beside a switch, while these may still grow."""
         return SHORTEST * self.span < self.short < LONGEST * self.span
 
     # --- a step -------------------------------------------------------------------------------
@@ -277,10 +277,10 @@ class Enclosure:
             return False
         finally:
             self._hold({})
-        self.crude += 1
+        self.beside += 1
         return True
 
-    def _crude(self, end: float) -> None:
+    def _step_by_rates(self, end: float) -> None:
         """Take a short step x + h f(B), where coefficients are too large beside a root."""
         new, (x, G) = min(self.t + self.short, end), self._set
         h = float(moved(self.t, new).upper)
@@ -291,7 +291,7 @@ class Enclosure:
         self._accept(
             new, hull, lambda h: (balls.add(x, balls.mul(rates, h)), G), has_walls=True
         )
-        self.crude += 1
+        self.beside += 1
 
     def _held(self, end: float, least: float) -> tuple[float, Any]:
         """Return the end of a step with little noise, or a short one, and its `_noise_box`."""

@@ -87,7 +87,7 @@ def line_of(
     if kind == "pick":
         return Line((), value)
     if kind == "fabs":
-        factor, rest = chord((end, abs(end)) for end in (*ends[0], 0.0))
+        factor, rest = chord((s, KINKS[kind](s)) for s in (*ends[0], 0.0))
         return Line(((0, factor),), rest)
     a, b = choices
     least, most = (Fraction(ends[a][k]) - Fraction(ends[b][1 - k]) for k in (0, 1))

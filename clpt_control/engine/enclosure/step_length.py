@@ -7,6 +7,7 @@ from .balls import Ball, between
 from .noise import REACH
 
 TRUNCATION = 2.0**-53  # wished remainder, of the size of a state
+UNDERFLOW = 2.0**-1000  # more than the errors of powers that underflow
 SHARE = 1e-4  # and of the radius of its box
 
 
@@ -23,7 +24,7 @@ def powers(h: Ball, count: int) -> Ball:
         np.cumprod(np.append(1.0, np.full(count - 1, max(float(end), 0.0))))
         for end in (h.lower, h.upper)
     )
-    share, tiny = i * balls.UNIT, np.where(i > 1, balls.TINY, 0.0)
+    share, tiny = i * balls.UNIT, np.where(i > 1, UNDERFLOW, 0.0)
     return between(low * (1.0 - share) - tiny, high * (1.0 + share) + tiny)
 
 

@@ -47,7 +47,9 @@ def reading_on(tape: Any) -> Iterator[None]:
 LIBRARIES = ("numpy", "scipy", "matplotlib", "pandas", "xarray")  # run as they are
 ADVICE = {  # pattern of an error -> what to do
     r"takes \d positional arguments? but 4": "Its arguments are t, x, u, p",
-    r"missing \d+ required positional": "A block's has t, x, u, p; one of signals s",
+    r"missing \d+ required positional arguments?: '(t|x|u|p|params)'": (
+        "A block's has t, x, u, p; one of signals s"
+    ),
     r"'(dict|Params)' object has no attribute": 'Here a parameter is p["k"]',
     r"operand.*'(list|tuple)'": "Give a parameter of several numbers as np.array",
     r"operand.*'(decimal\.Decimal|Fraction)'": "Give numbers as float",

@@ -63,9 +63,8 @@ def tables_of(text: str, name: str) -> Nested:
     try:
         return tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
-        raise ScenarioError(
-            f"{name}: is not valid TOML: {error}. A text has quotes"
-        ) from None
+        advice = ". A text has quotes" if "Invalid value" in str(error) else ""
+        raise ScenarioError(f"{name}: is not valid TOML: {error}{advice}") from None
     except RecursionError:
         raise ScenarioError(
             f"{name}: brackets are nested too deep; at most 3 levels"

@@ -52,7 +52,7 @@ KINDS = {  # kind of dataset -> its attribute; the first that is present decides
     "team": TEAM,
     "ensemble": "ensemble",
     "fixes": "fix_law",
-    "tube": "steps_without_series",
+    "tube": "steps_beside_switches",
     "run": "scenario",
     "replay": "estimator",
     "diagram": "engine",

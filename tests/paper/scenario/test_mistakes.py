@@ -409,3 +409,15 @@ def test_a_file_is_read_as_a_scenario_or_a_team(tmp_path, refused):
     clpt.save_run(clpt.simulate(OTHERS, [0.0, 1.0]), run := tmp_path / "run.nc")
     assert clpt.load_scenario(run) == OTHERS
     assert "it is a team's" in refused("excitation", run, "--bounds")
+
+
+def test_a_text_without_quotes_is_answered(tmp_path):
+    path = tmp_path / "mine.toml"
+    for text, ends in (
+        ("[run]\nlength = m", "(at line 2, column 10). A text has quotes"),
+        ("[run]\n[run]", "(at line 2, column 5)"),
+    ):
+        path.write_text(text)
+        with pytest.raises(clpt.ScenarioError) as caught:
+            clpt.load_scenario(path)
+        assert str(caught.value).endswith(ends)
