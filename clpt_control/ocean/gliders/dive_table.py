@@ -28,6 +28,7 @@ import numpy as np
 from ...base.arguments import public
 from ...base.errors import DataError
 from ...base.files import write_file
+from ...paper.currents.flags import BAD_CODES
 from .dive_fields import GIVE, whole_number
 from .dives import (
     COLUMNS,
@@ -164,11 +165,15 @@ def _dive(texts: dict[str, str], where: str) -> Dive | Skipped:
         through_water = velocity[0] * duration, velocity[1] * duration
     elif not has_stretch:
         current = cells["dac_east"], cells["dac_north"]
-        if None in current:
+        is_flagged = cells["dac_qc"] in BAD_CODES
+        if is_flagged or None in current:
             through_water = nan, nan
-            notes.append(
-                "dac_east or dac_north is not a number, and there is no dead reckoning"
+            why = (
+                "dac_qc is bad"
+                if is_flagged
+                else "dac_east or dac_north is not a number"
             )
+            notes.append(f"{why}, and there is no dead reckoning")
         else:
             through_water = without_current(start, end, current)
             notes.append("dead reckoning computed from dac_east, dac_north")

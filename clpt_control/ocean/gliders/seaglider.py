@@ -30,7 +30,7 @@ import xarray
 
 from ...base.errors import DataError
 from ...base.units import finite_or_none, number
-from ...paper.currents.flags import BAD_FIX_CODES
+from ...paper.currents.flags import is_bad
 from .dive_fields import NUMBERS, VARIATIONS, whole_number
 from .dives import (
     Dive,
@@ -80,13 +80,13 @@ def fixes_of(data: xarray.Dataset, first_sample: float) -> tuple[Three, list[str
         )
     notes = []
     of = np.array(columns)
-    hdop, flags = (_of_fixes(data, name) for name in ("log_gps_hdop", "log_gps_qc"))
+    hdop = _of_fixes(data, "log_gps_hdop")
     for k, name in enumerate(NAMES):
-        flag = scalar(data, f"{name}_qc") or flags[k]
+        flag, bad = _flag_of(data, k)
         if hdop[k] >= FAILED:
             of[:, k] = nan
             notes.append(f"{name} has a hdop of {hdop[k]:g}: the receiver found no fix")
-        elif flag in BAD_FIX_CODES:
+        elif bad:
             of[:, k] = nan
             notes.append(f"the file flags {name} {flag:g}, bad: left out")
         elif k and isfinite(flag) and flag not in GOOD:
@@ -102,6 +102,18 @@ def fixes_of(data: xarray.Dataset, first_sample: float) -> tuple[Three, list[str
         )
         return (None, gps1 if is_used else start, end), notes
     return (gps1, start, end), notes
+
+
+def _flag_of(data: xarray.Dataset, k: int) -> tuple[float, bool]:
+    """Return the flag of a fix, NaN where it has none, and whether it is bad."""
+    found = [
+        (values(data, name).flat[at], np.atleast_1d(is_bad(data[name], True)).flat[at])
+        for name, at in ((f"{NAMES[k]}_qc", 0), ("log_gps_qc", k))
+        if name in data.variables and data[name].size > at
+    ]
+    bad = [flag for flag, is_bad_flag in found if is_bad_flag]
+    stated = [flag for flag, _ in found if isfinite(flag) and flag]
+    return (*bad, *stated, nan)[0], bool(bad)
 
 
 def _of_fixes(data: xarray.Dataset, name: str) -> np.ndarray:

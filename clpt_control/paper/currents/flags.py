@@ -81,7 +81,7 @@ def without_flagged(
     ]
     if not codes:
         return values, []
-    bad = reduce(or_, (flag.copy(data=_is_bad(flag, is_fix)) for flag in codes))
+    bad = reduce(or_, (flag.copy(data=is_bad(flag, is_fix)) for flag in codes))
     count = int((values.notnull() & bad).sum()) if bad.any() else 0
     if not count:
         return values, []
@@ -91,7 +91,8 @@ def without_flagged(
     return gaps, [note]
 
 
-def _is_bad(flag: xarray.DataArray, is_fix: bool) -> np.ndarray:
+def is_bad(flag: xarray.DataArray, is_fix: bool) -> np.ndarray:
+    """Return where a variable of flags says bad, by its words or by the scale."""
     codes = _codes(flag.values)
     words = said(flag, "flag_meanings").lower().replace(",", " ").split()
     values, masks = (_attribute(flag, key) for key in ("flag_values", "flag_masks"))

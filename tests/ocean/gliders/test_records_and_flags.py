@@ -176,14 +176,32 @@ def test_a_flagged_fix_of_og1_is_not_used(tmp_path, good, bad, attributes):
     assert used[1].gps_north == pytest.approx(2200.0, rel=0.02)  # without flags
 
 
-@pytest.mark.parametrize("name", ["log_gps_qc", "GPSE_qc"])
-def test_a_flagged_fix_of_a_seaglider_is_not_used(tmp_path, name):
-    flags = {"log_gps_qc": (made.INFO, [1.0, 1.0, 4.0], {}), "GPSE_qc": ((), "3", {})}
+WORDS = {"flag_values": [0, 5, 6], "flag_meanings": "good bad unknown"}
+
+
+@pytest.mark.parametrize(
+    ("name", "flags"),
+    [
+        ("log_gps_qc", (made.INFO, [1.0, 1.0, 4.0], {})),
+        ("log_gps_qc", (made.INFO, [0.0, 0.0, 5.0], WORDS)),
+        ("GPSE_qc", ((), "3", {})),
+        ("GPSE_qc", ((), 5, WORDS)),
+    ],
+)
+def test_a_flagged_fix_of_a_seaglider_is_not_used(tmp_path, name, flags):
     basestation3(tmp_path / "p1230006.nc", number=6)
-    basestation3(tmp_path / "p1230007.nc", number=7, **{name: flags[name]})
+    basestation3(tmp_path / "p1230007.nc", number=7, **{name: flags})
     dives, (skipped,) = read_dives(tmp_path)
     assert [dive.number for dive in dives] == [6]
     assert "bad: left out" in skipped.why
+
+
+def test_a_code_that_its_words_call_good_is_used(tmp_path):
+    words = {"flag_values": [4, 5], "flag_meanings": "good bad"}
+    basestation3(tmp_path / "p1230007.nc", number=7, GPSE_qc=((), 4, words))
+    dives, skipped = read_dives(tmp_path)
+    assert len(dives) == 1
+    assert not skipped
 
 
 def test_flagged_samples_of_a_seaglider_are_filled_from_their_neighbours(tmp_path):
