@@ -192,12 +192,14 @@ class LoopBatch(MemberBatch):
 
     def clpe_rms(self) -> np.ndarray:
         """Return the rms of the CLPE over each cycle."""
-        rounds = rms_of_rounds(self.squares, self.varied.times.starts)
+        times = self.varied.times
+        rounds = rms_of_rounds(self.squares, times.union[times.fine], times.starts)
         return np.array(rounds).reshape(-1, len(self.squares)).T
 
     def clpe_rms_whole(self) -> np.ndarray:
         """Return the rms of the CLPE over the whole run."""
-        return rms(self.squares)
+        times = self.varied.times
+        return rms(self.squares, times.union[times.fine])
 
     def flow_parameter_error(self) -> np.ndarray:
         """Return the largest error of a flow parameter at the marks."""
@@ -244,8 +246,9 @@ class LoopBatch(MemberBatch):
             times, signals = varied.state_times[:reached], track[:reached]
             flow = signals[:, ports["flow_x"]]
             if is_limited:
-                commanded = signals[:, ports["v_c"]]
-                figures = speed_figures(float(limits[m]), times, commanded, flow)
+                commanded, reference = (signals[:, ports[k]] for k in ("v_c", "zc"))
+                limit = float(limits[m])
+                figures = speed_figures(limit, times, commanded, flow, reference)
                 faster = figures["faster_flow"]
                 shares[m] = faster["share"] if faster else 0.0
             if "flow_error" not in varied.absent:
@@ -253,7 +256,7 @@ class LoopBatch(MemberBatch):
                 phi = signals[late][:, ports["phi_x"]]
                 estimate = theta[m, :reached][late].reshape(len(phi), 2, -1)
                 off = flow[late] - np.einsum("taN,tN->ta", estimate, phi)
-                errors[m] = rms((off**2).sum(axis=1))
+                errors[m] = np.sqrt((off**2).sum(axis=1).mean())
         return errors, shares
 
     def flow_error(self) -> np.ndarray:

@@ -26,7 +26,7 @@ from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.recorded_run import commanded_velocity, unknown_parts
 from ..paper.scenario.tables import Units
 from .loop_blocks import true_flow_block
-from .mean_squares import last_quarter, rms
+from .mean_squares import last_quarter
 
 if TYPE_CHECKING:
     import xarray
@@ -35,6 +35,7 @@ Figures = dict[str, Any]  # of a run, by name
 TOLD_TURN = 1.0  # rad between fixes
 BOX = 21  # points on each side of a track's box, and times
 LEAST_SAMPLES = 10  # of a measured track, to compare its motion with Eq. (7)
+SPEEDS = "commanded_velocity", "true_flow", "reference"  # speed_figures reads these
 LEAST_FACTOR = 0.7  # and its inverse; samples and noise leave it between them
 
 
@@ -157,7 +158,7 @@ def flow_error(scenario: Scenario, run: "xarray.Dataset") -> dict[str, float]:
     times = run.time.values
     flows = flows_learned(scenario, run, (last_quarter(times), times[-1]))
     return {
-        name: float(rms(((true - learned) ** 2).sum(axis=1)))
+        name: float(np.sqrt(((true - learned) ** 2).sum(axis=1).mean()))
         for name, (true, learned) in flows.items()
     }
 
@@ -208,35 +209,49 @@ def true_flow(scenario: Scenario, points: np.ndarray, times: np.ndarray) -> np.n
 
 
 def speed_figures(
-    max_speed: float, times: np.ndarray, commanded: np.ndarray, flow: np.ndarray
+    max_speed: float,
+    times: np.ndarray,
+    commanded: np.ndarray,
+    flow: np.ndarray,
+    reference: np.ndarray,
 ) -> Figures:
     """Return shares of the time at the speed limit, |v_c| > v_max, and in faster flow.
 
-    A vehicle in a faster flow, |F_R| > v_max, cannot hold its position.  Each sample counts until
-    the next; velocities have the shape (n, 2).
+    A vehicle in a faster flow, |F_R| > v_max, cannot hold its position.  Speeds are straight lines
+    between samples, but a command holds until the reference jumps.  Shapes are (n, 2).
     """
-    at_limit = np.hypot(*commanded.T) > max_speed
-    in_faster_flow = np.hypot(*flow.T) > max_speed
-    durations = np.diff(times, append=times[-1])
-    total = float(times[-1] - times[0])
-
-    def share(samples: np.ndarray) -> float:
-        return float(durations @ samples) / total if total else float(samples[-1])
-
+    jumps = np.abs(np.diff(reference, axis=0)).sum(axis=1) > 0.0
+    at_limit = _times_above(times, np.hypot(*commanded.T) - max_speed, jumps)
+    in_faster_flow = _times_above(times, np.hypot(*flow.T) - max_speed)
+    total = max(float(times[-1] - times[0]), np.finfo(float).tiny)
     faster_flow = None
-    if in_faster_flow.any():
-        changes = np.diff(np.pad(in_faster_flow, 1)).nonzero()[0]
-        edges = np.append(times, times[-1])[changes]  # begin, end, begin, ...
+    if in_faster_flow.size:
+        durations = np.diff(in_faster_flow)
         faster_flow = {
-            "first": float(edges[0]),
-            "longest": float(np.diff(edges)[::2].max()),
-            "share": share(in_faster_flow),
+            "first": float(in_faster_flow[0, 0]),
+            "longest": float(durations.max()),
+            "share": float(durations.sum() / total),
         }
     return {
         "max_speed": max_speed,
-        "share_at_limit": share(at_limit),
+        "share_at_limit": float(np.diff(at_limit).sum() / total),
         "faster_flow": faster_flow,
     }
+
+
+def _times_above(
+    times: np.ndarray, excess: np.ndarray, jumps: np.ndarray | None = None
+) -> np.ndarray:
+    """Return begins and ends, shape (n, 2), of the times at which straight lines exceed 0.
+
+    An interval with a jump has its first value up to its end.
+    """
+    above = excess > 0.0
+    k = np.flatnonzero(above[1:] != above[:-1])
+    crossings = times[k] + np.diff(times)[k] * excess[k] / (excess[k] - excess[k + 1])
+    edges = crossings if jumps is None else np.where(jumps[k], times[k + 1], crossings)
+    edges = np.concatenate([times[:1][above[:1]], edges, times[-1:][above[-1:]]])
+    return edges.reshape(-1, 2)
 
 
 def faster_flow(figures: Figures, units: Units) -> str:
@@ -248,14 +263,15 @@ def faster_flow(figures: Figures, units: Units) -> str:
     return (
         f"the flow was faster than the vehicle ({figures['max_speed']:g} {units.length}/{time}), "
         f"which cannot hold its place there: first at t = {faster['first']:g} {time}, "
-        f"{percent(faster['share'])} of the time, at most {faster['longest']:.3g} {time} long"
+        f"{percent(faster['share'])} of the time, at most about {faster['longest']:.3g} {time} long"
     )
 
 
 def speeds_of(run: "xarray.Dataset", max_speed: float) -> Figures:
     """Return the `speed_figures` of a run at its own samples."""
-    commanded = run.commanded_velocity.values
-    return speed_figures(max_speed, run.time.values, commanded, run.true_flow.values)
+    return speed_figures(
+        max_speed, run.time.values, *(run[name].values for name in SPEEDS)
+    )
 
 
 def note_speeds(run: "xarray.Dataset", figures: Figures, units: Units) -> None:

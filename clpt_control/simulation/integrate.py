@@ -167,7 +167,11 @@ def simulate(
     if samples == 2:
         data.attrs["message"] += "; two samples, for more see np.linspace"
     _note_arguments(data, unrecorded, {**solver, "params": params or None})
-    if run.max_speed is not None and {"commanded_velocity", "true_flow"} <= set(data):
+    if run.max_speed is not None and {
+        "commanded_velocity",
+        "true_flow",
+        "reference",
+    } <= set(data):
         from .flows import note_speeds, speeds_of
 
         note_speeds(data, speeds_of(data, run.max_speed), run.scenario.units)

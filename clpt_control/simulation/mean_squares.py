@@ -78,9 +78,9 @@ def clpe_of_samples(scenario: Scenario, run: "xarray.Dataset") -> dict[str, Any]
         starts = starts_of_rounds(times, scenario.cycle)
     late = np.searchsorted(times, last_quarter(times) - tolerance)
     return {
-        "clpe_rms_per_cycle": [*map(float, rms_of_rounds(squares, starts))],
-        "clpe_rms": float(rms(squares)),
-        "clpe_rms_last_quarter": float(rms(squares[late:])),
+        "clpe_rms_per_cycle": [*map(float, rms_of_rounds(squares, times, starts))],
+        "clpe_rms": float(rms(squares, times)),
+        "clpe_rms_last_quarter": float(rms(squares[late:], times[late:])),
     }
 
 
@@ -89,11 +89,16 @@ def last_quarter(times: np.ndarray) -> float:
     return float(times[-1] - 0.25 * (times[-1] - times[0]))
 
 
-def rms_of_rounds(squares: np.ndarray, starts: np.ndarray) -> list[Any]:
+def rms_of_rounds(
+    squares: np.ndarray, times: np.ndarray, starts: np.ndarray
+) -> list[Any]:
     """Return the rms over each round of the waypoints, along the last axis."""
-    return [rms(squares[..., begin:end]) for begin, end in pairwise(starts)]
+    rounds = [slice(begin, end + 1) for begin, end in pairwise(starts)]
+    return [rms(squares[..., samples], times[samples]) for samples in rounds]
 
 
-def rms(squares: np.ndarray) -> Any:
-    """Return the root of the mean of squares, along the last axis."""
-    return np.sqrt(squares.mean(axis=-1))
+def rms(squares: np.ndarray, times: np.ndarray) -> Any:
+    """Return the root of the mean over time, by trapezoids, of squares along the last axis."""
+    if len(times) == 1:
+        return np.sqrt(squares[..., 0])
+    return np.sqrt(np.trapezoid(squares, times) / (times[-1] - times[0]))

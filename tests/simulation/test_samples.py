@@ -172,11 +172,11 @@ def test_a_flow_that_comes_and_goes(reported):
     values = {"flow.disturbance": wave, "run.duration": 24, "run.output_step": 0.01}
     summary, _ = reported(drifting(**values))
     found = summary["speed"]["faster_flow"]
-    wanted = {"first": (1.0, 0.02), "longest": (4.0, 0.02), "share": (2 / 3, 2e-3)}
+    wanted = {"first": (1.0, 1e-3), "longest": (4.0, 1e-3), "share": (2 / 3, 1e-3)}
     for key, (value, off) in wanted.items():
         assert found[key] == pytest.approx(value, abs=off)
     said = r"the flow was faster than the vehicle \(1 m/s\), which .*: first at "
-    said += r"t = 1[.\d]* s, 66\.\d* % of the time, at most [34][.\d]* s long"
+    said += r"t = 1[.\d]* s, 66\.\d* % of the time, at most about 4 s long"
     for message in (summary["message"], clpt.simulate(drifting(**values)).message):
         assert re.search(said, message)
 
@@ -191,8 +191,7 @@ def test_a_calm_run_says_nothing_and_its_share_is_right():
     run = clpt.simulate(drifting(**start))
     assert run.attrs["message"] == "completed (t = 16 s)"
     share = run.attrs["share_at_speed_limit"]
-    # the sample where it ends may count
-    assert share == pytest.approx(0.25, abs=1 / 128)
+    assert share == pytest.approx(0.25, abs=1e-4)
     assert np.hypot(*run.velocity.values.T).max() <= 1.0 + 1e-12
     np.testing.assert_allclose(np.hypot(*run.commanded_velocity.values[0]), 5.0)
     assert (

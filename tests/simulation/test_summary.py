@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from gridded_currents import uniform_field
+from scipy.integrate import simpson
 
 import clpt_control as clpt
 from clpt_control.simulation.summary import claims
@@ -17,15 +18,18 @@ CASES = {
 
 
 def rms(scenario):
-    """Return the rms of |e| per cycle and over the run, of 2000 samples a cycle or shorter run."""
+    """Return the rms of |e| per cycle and over the run by Simpson's rule, 2000 samples a cycle."""
     end = scenario.run.duration
     step = min(scenario.cycle, end) / 2000
-    run = clpt.simulate(
-        scenario, np.append(np.arange(np.ceil(end / step - 1e-6)) * step, end)
-    )
+    times = np.append(np.arange(np.ceil(end / step - 1e-6)) * step, end)
+    run = clpt.simulate(scenario, times)
     squares = np.sum((run.predicted_position - run.position).values ** 2, axis=1)
-    each = squares[: 2000 * int(end / scenario.cycle + 1e-9)].reshape(-1, 2000)
-    return np.sqrt(each.mean(axis=1)), np.sqrt(squares.mean())
+    starts = range(0, 2000 * int(end / scenario.cycle + 1e-9), 2000)
+    means = [
+        simpson(squares[part], x=times[part]) / np.ptp(times[part])
+        for part in (*(slice(k, k + 2001) for k in starts), slice(None))
+    ]
+    return np.sqrt(means[:-1]), np.sqrt(means[-1])
 
 
 @pytest.mark.parametrize("case", CASES)
@@ -33,8 +37,8 @@ def test_mean_squares_are_over_every_sample(case, reported):
     scenario = PAPER.with_values(CASES[case])
     (summary, run), own = reported(scenario), clpt.simulate(scenario)
     each, whole = rms(scenario)
-    assert summary["clpe_rms_per_cycle"] == pytest.approx(each, rel=1e-6)
-    assert summary["clpe_rms"] == pytest.approx(whole, rel=2e-4)
+    assert summary["clpe_rms_per_cycle"] == pytest.approx(each, rel=1e-3)
+    assert summary["clpe_rms"] == pytest.approx(whole, rel=1e-4)
     np.testing.assert_allclose(run.time, own.time, rtol=1e-14)
     for name in ("position", "alpha", "reference", "lyapunov"):
         np.testing.assert_allclose(
