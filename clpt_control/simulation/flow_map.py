@@ -49,14 +49,15 @@ if TYPE_CHECKING:
 
 POINTS = 41  # on each side of the box by default
 AHEAD = 10  # latest time of a map, in lengths of the run
+POINTS_OF_A_WAY = 5  # of the quadrature along a leg
 BETWEEN = 4  # points of the map from arrow to arrow
 SHADES = {"standard_error", "error"}
 STANDARD_NAMES = {  # of u and v: on a plane, and by latitude and longitude
     False: ("sea_water_x_velocity", "sea_water_y_velocity"),
     True: ("eastward_sea_water_velocity", "northward_sea_water_velocity"),
 }
-READ = """latitude longitude start_latitude start_longitude end_time has_origin unspanned_flow walk
-time_origin leg_flow scatter flow_parameters_estimate covariance origin"""
+READ = """latitude longitude start_latitude start_longitude start_time end_time has_origin
+unspanned_flow walk time_origin leg_flow scatter flow_parameters_estimate covariance origin"""
 ARROWS = (  # prefix of the map's names, label, colour, width; the wide ones below
     ("true_", "true flow", GREY, 0.006),
     ("", "learned flow", ORANGE, 0.003),
@@ -213,7 +214,7 @@ def map_of(
     if learned.covariance is not None:
         of_rows = np.einsum("nk,akl,nl->an", phi, learned.covariance, phi)
         variance = of_rows.max(axis=0)
-        variance += learned.beside(points, flow, phi, t - latest)
+        variance += learned.beside(points, phi, t - latest)
         error = np.sqrt(np.maximum(variance, 0.0))
         data["standard_error"] = masked(error, "standard error of u and of v")
     return _dataset(learned, data, time_axis, {dims[1]: rows, dims[2]: columns})
@@ -293,21 +294,21 @@ def _of_estimate(data: "xarray.Dataset") -> _Learned:
     scale = np.array([1.0 if plane else np.cos(np.radians(latitude)), 1.0])
     fixes = cKDTree(places * scale)
     extent = np.linalg.norm(np.std(places * scale, axis=0)) or 1.0
-    leg_flow = estimate.leg_flow.values[leg_of]
+    misfits = None
+    if plane is not None and not is_everywhere:
+        misfits = _misfits(estimate, scenario, plane)[leg_of]
 
-    def beside(
-        points: np.ndarray, flow: np.ndarray, phi: np.ndarray, elapsed: np.ndarray
-    ) -> np.ndarray:
+    def beside(points: np.ndarray, phi: np.ndarray, elapsed: np.ndarray) -> np.ndarray:
         prior = estimate.attrs["unspanned_flow"]
-        if is_everywhere:
+        if misfits is None:
             # what the legs show beside them, and the prior farther off than the track is long
             near = np.exp(-((fixes.query(points * scale)[0] / extent) ** 2) / 2)
             v = near * estimate.attrs["scatter"] ** 2 + (1 - near) * prior**2
         else:
             # the legs of the two nearest fixes, such as that before a fix and that behind it
             _, legs = fixes.query(points * scale, [1, 2])
-            near = leg_flow[np.minimum(legs, len(leg_flow) - 1)]
-            off = np.mean((near - flow[:, None]) ** 2, axis=2).max(axis=1)
+            near = misfits[np.minimum(legs, len(misfits) - 1)].max(axis=1)
+            off = near + misfits.mean()  # a place differs from its leg as legs do
             v, _, share = unspanned(scenario.basis, prior, points, places)
             v = v + share * off
         seconds = np.abs(elapsed) * SECONDS[scenario.units.time]
@@ -328,6 +329,35 @@ def _of_estimate(data: "xarray.Dataset") -> _Learned:
         False,
         beside=beside,
     )
+
+
+def _misfits(
+    estimate: "xarray.Dataset", scenario: Scenario, plane: LocalPlane
+) -> np.ndarray:
+    """Return mean squares over the axes of each leg's flow less the learned one on its way, (n,).
+
+    The way is a straight line from fix to fix; its mean is by Gauss-Legendre quadrature.
+    """
+    theta = estimate.flow_parameters_estimate.values[-1]
+    start, end = (
+        np.column_stack(
+            [
+                *plane.to_plane(estimate[f"{of}latitude"], estimate[f"{of}longitude"]),
+                (estimate[time].values - np.datetime64(estimate.attrs["time_origin"]))
+                / np.timedelta64(1, "s")
+                / SECONDS[scenario.units.time],
+            ]
+        )
+        for of, time in (("start_", "start_time"), ("", "end_time"))
+    )
+    learned = 0.0
+    for node, weight in zip(
+        *np.polynomial.legendre.leggauss(POINTS_OF_A_WAY), strict=True
+    ):
+        x1, x2, t = (start + (1 + node) / 2 * (end - start)).T
+        phi = evaluate(scenario.basis_block(), t, np.column_stack([x1, x2]))
+        learned = learned + weight / 2 * phi @ theta.T
+    return np.mean((estimate.leg_flow.values - learned) ** 2, axis=1)
 
 
 # --- chart ---------------------------------------------------------------------------------------

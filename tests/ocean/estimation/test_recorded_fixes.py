@@ -343,14 +343,12 @@ def test_a_map_of_an_estimate_is_everywhere(tmp_path):
     phi = np.exp(-np.sum((x - CENTERS) ** 2, axis=1) / (2 * 8e3**2))
     theta, P = data.flow_parameters_estimate.values[-1], data.covariance.values[-1][0]
     # functions show the flow at their centres, legs at their fixes but for a share of 1e-3
-    first = data.isel(leg=[0])
-    fixes = np.column_stack(
-        PLANE(
-            np.append(first.start_longitude, data.longitude),
-            np.append(first.start_latitude, data.latitude),
-        )
+    starts, ends = (
+        np.column_stack(PLANE(data[f"{of}longitude"], data[f"{of}latitude"]))
+        for of in ("start_", "")
     )
-    leg_flow = np.vstack([first.leg_flow, data.leg_flow])
+    fixes = np.vstack([starts[:1], ends])
+    legs = [0, *range(len(ends))]
     shown_at = np.vstack([CENTERS, fixes])
 
     def kernel(a, b):
@@ -359,9 +357,12 @@ def test_a_map_of_an_estimate_is_everywhere(tmp_path):
     like = kernel(shown_at[:, None], shown_at) + 1e-3 * np.eye(len(shown_at))
     of_x = kernel(shown_at, x)
     v = 0.5**2 * (1 - of_x @ np.linalg.solve(like, of_x))
-    # the legs of the two nearest fixes differ from the map
+    # the flow on the legs of the two nearest fixes differs from the learned flow on their ways
     nearest = np.argsort(np.hypot(*(fixes - x).T))[:2]
-    off = np.mean((leg_flow[nearest] - theta @ phi) ** 2, axis=1).max()
+    ways = starts + np.linspace(0, 1, 2001)[:, None, None] * (ends - starts)
+    on_ways = kernel(ways[:, :, None], CENTERS).mean(axis=0) @ theta.T
+    misfits = np.mean((data.leg_flow.values - on_ways) ** 2, axis=1)
+    off = max(misfits[legs[k]] for k in nearest) + misfits[legs].mean()
     variance = phi @ P @ phi + v + kernel(fixes[nearest[0]], x) ** 2 * off
     expected = [*(theta @ phi), np.sqrt(variance)]
     shown = [float(flow[name].squeeze()) for name in ("u", "v", "standard_error")]
