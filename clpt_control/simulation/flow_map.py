@@ -165,8 +165,10 @@ def map_of(
     plane = learned.plane
     rows, columns = (np.linspace(low[i], high[i], POINTS) for i in (1, 0))
     if plane is not None:
-        corners = plane.to_earth(*np.meshgrid(columns, rows))
-        rows, columns = (np.linspace(c.min(), c.max(), POINTS) for c in corners)
+        # the box in degrees that is inside of the box on the plane, whose edges are bent
+        north, east = plane.to_earth(*np.meshgrid(columns, rows))
+        rows = np.linspace(north[0].max(), north[-1].min(), POINTS)
+        columns = np.linspace(east[:, 0].max(), east[:, -1].min(), POINTS)
     rows = rows if latitude is None else _row("latitude", latitude)
     columns = columns if longitude is None else _row("longitude", longitude)
     times, time_axis = learned.times(time)

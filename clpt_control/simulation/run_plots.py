@@ -252,8 +252,8 @@ def _set_learning_time(axes: Any, run: "xarray.Dataset", scenario: Scenario) -> 
         if time[-1] > 2 * cycle:
             ax.set_xscale("symlog", linthresh=cycle)
             linear = [cycle * k / 4 for k in range(4)]
-            ticks = linear + [cycle * 2**k for k in range(5)]
-            ticks = [t for t in ticks if t <= time[-1]]
+            doubled = [cycle * 2**k for k in range(5)]
+            ticks = [t for t in linear + doubled if 1.2 * t < time[-1]] + [time[-1]]
             ax.set_xticks(ticks, [f"{t:g}" for t in ticks])
             ax.minorticks_off()
     if time[-1] > 2 * cycle:
@@ -319,7 +319,7 @@ def team_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
             top.semilogy(time, positive(e), label="|e|", linewidth=0.7)
             label = "error" if has_truth else "parameter"
             bottom.semilogy(time, positive(error), label=label)
-    chart.set_title("Waypoints, tracks, flow at t = 0", **TITLE)
+    chart.set_title("Tracks, flow at t = 0", **TITLE)
     top.set_ylabel(f"|CLPE| ({units.length})")
     top.set_title("Prediction errors", **TITLE)
     bottom.set_xlabel(f"time ({units.time})")

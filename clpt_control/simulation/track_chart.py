@@ -116,7 +116,7 @@ def draw_first_flow(
     if speed > 0:
         arrows = ax.quiver(*grid.T, *flow.T, color=GREY, alpha=0.6, width=0.0035)
         key = f"{speed:g} {scenario.units.length}/{scenario.units.time}"
-        ax.quiverkey(arrows, 0.88, 1.02, speed, key, labelpos="E")
+        ax.quiverkey(arrows, 0.94, 1.03, speed, key, labelpos="W")
     return speed > 0
 
 

@@ -171,11 +171,10 @@ def learned_flow_plot(data: xarray.Dataset, *, ax: Any = None) -> np.ndarray:
     chart.plot(*fixes, "o", color=BLUE, ms=size, label="fix")
     chart.plot(px, py, "x", color=ORANGE, ms=size + 1, label="forecast of it")
     flow = data.flow.values
-    arrows = chart.quiver(
-        x, y, *flow.T, color="black", width=0.003, angles="xy", label="learned flow"
-    )
     fastest = float(f"{np.hypot(*flow.T).max():.1g}") or 0.1
-    chart.quiverkey(arrows, 0.92, 1.03, fastest, f"{fastest:g} m/s", labelpos="W")
+    look = {"color": "black", "width": 0.003, "angles": "xy", "scale": 9 * fastest}
+    arrows = chart.quiver(x, y, *flow.T, label="learned flow", **look)
+    chart.quiverkey(arrows, 0.85, 1.03, fastest, f"{fastest:g} m/s", labelpos="E")
     chart.set_aspect("equal", adjustable="datalim")
     chart.margins(0.12, 0.25)  # arrows point beyond the fixes
     degree_axes(chart, plane, "km")
