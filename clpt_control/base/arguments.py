@@ -496,8 +496,8 @@ def vector_of(argument: str, value: Any, size: int) -> np.ndarray:
         array = np.full(size, array)
     if array.shape != (size,):
         raise ArgumentError(
-            f"{argument} = {brief(array.tolist())}: must have {size} finite numbers; it has shape "
-            f"{array.shape}"
+            f"{argument} = {brief(array.tolist())}: must have {size} finite number"
+            f"{'s' * (size != 1)}; it has shape {array.shape}"
         )
     return finite(argument, array).copy()
 

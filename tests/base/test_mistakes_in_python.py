@@ -23,6 +23,7 @@ PEN = control.nlsys(
 )
 PLANT = control.ss([[0, 1], [-1, -1]], [[0], [1]], [[1, 0]], 0, inputs="f", outputs="q")
 SHORT = clpt.paper_scenario().with_values({"run.duration": 20})
+BLOW_UP = clpt.Block("up", update=lambda t, x, u, p: x.x**2, states={"x": 1})
 LIMITED = clpt.connect(
     [parts.saturation(-1, 1, y="u", u="c"), parts.lag(1)], external="c"
 )
@@ -70,6 +71,8 @@ clpt.lyapunov(PEN, lambda x, u: x) -> A block's has t, x, u, p; one of signals s
 clpt.lyapunov(PEN, lambda s: s.angle**2, where={"torque": 3}) -> or None by name or None, such as {'torque': (-1.0, 1.0)}
 clpt.verify(PEN, [0, 1], None, [0, 0], by="3: angle < 1") -> or functions or None, such as (3.0, 'rate < 1')
 clpt.verify(PEN, [0, 1], None, [0, 0], always=lambda s: s.angle < 3) -> where the specification holds, such as 0.9 - s.level
+clpt.simulate(BLOW_UP, [0, 2], 0.0, [1.0]) -> x[0] of block up has grown to
+clpt.simulate(BLOW_UP, [0, 2], 0.0, [1.0, 2.0]) -> must have 1 finite number; it has shape (2,)
 clpt.Block("b", update=print, states=["x"]) -> by name or None, such as {'x': 1}
 clpt.fit_parameters(parts.lag(1), {"y": [0.0, 0.1]}, {"gain": 1.0}, [0, 1]) -> Did you mean 'lag.gain'?
 clpt.run_ensemble(PEN, {"pen.d": [0.4, 0.6]}, 100, timepts=[0, 1]) -> A range is '0.4:0.6'

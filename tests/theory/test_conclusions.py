@@ -467,7 +467,7 @@ def test_what_V_loses_in_a_step(name):
     level = lambda s: sum(getattr(s, one) ** 2 for one in states)  # noqa: E731
     found = lyapunov(system, level, points=POINTS)
     assert str(found.rate) == change
-    assert fields_of(found) == ("proved", conclusion, {})
+    assert fields_of(found) == ("proved", conclusion, {"steps": ""})
     x = np.random.default_rng(1).normal(size=len(states))
     after = system.dynamics(0, x, [])
     values = dict(zip(states, x, strict=True))
@@ -486,7 +486,8 @@ def test_a_level_in_discrete_time():
 def test_a_state_beside_V_grows_in_discrete_time():
     plant = stepped(lambda x, u, p: [x[0] / 2, 3 * x[1]], "xy")
     found = lyapunov(plant, lambda s: s.x**2)
-    assert fields_of(found) == ("proved", "goes to zero", {"outside V": "y is"})
+    conditions = {"steps": "", "outside V": "y is"}
+    assert fields_of(found) == ("proved", "goes to zero", conditions)
 
 
 @pytest.mark.parametrize("factor", [1.1, -1.01])
@@ -568,7 +569,7 @@ def test_a_level_of_a_region_is_told_once_and_not_above_it():
     levels = re.findall(r"V < ([\d.]+)", verdict.sentence)
     assert len(levels) == 1
     assert 0.9 * verdict.level < float(levels[0]) <= verdict.level < 1 - np.cos(0.5)
-    assert verdict.sentence.endswith("so what begins there comes to rest")
+    assert "so what begins there comes to rest; with V' the change" in verdict.sentence
 
 
 AS, LEVEL = "asymptotically stable", "ultimately bounded"
@@ -690,3 +691,36 @@ def test_what_falls_slower_has_no_rate(text):
     found = of(text)
     assert not found.implies("exponentially stable")
     assert found.decay is None
+
+
+PENDULUM = clpt.Block(
+    "pendulum",
+    update=lambda t, x, u, p: (x.rate, -2 * np.sin(x.angle) - x.rate),
+    states={"angle": 1, "rate": 1},
+)
+
+
+def test_V_about_a_point_that_is_no_rest_names_its_rate():
+    energy = lambda s: s.rate**2 / 2 + 2 * (1 - np.cos(s.angle))  # noqa: E731
+    verdict = clpt.lyapunov(PENDULUM, energy, at={"angle": 2.0})
+    assert verdict.status == "refuted"
+    assert "(no rest: rate' = -2*sin(2))" in verdict.claim
+
+
+LINEAR_PARTS = {  # matrix, discrete time -> eigenvalue that grows
+    ((0, 1), (1, 0)): (False, "1>"),
+    ((0, 1), (-1, 0.1)): (False, "0.05+0.999j>"),
+    ((1.25, 1), (0, 0.5)): (True, "1.25>"),
+    ((0, 1), (-1, 0)): (False, ""),  # on the border
+    ((0, 1), (0, 0)): (False, ""),
+}
+
+
+@pytest.mark.parametrize("rows", LINEAR_PARTS)
+def test_a_search_for_V_names_an_eigenvalue_that_grows(rows):
+    discrete, eigenvalue = LINEAR_PARTS[rows]
+    plant = control.ss(rows, [[0], [1]], [[1, 0]], 0, discrete)
+    verdict = clpt.lyapunov(plant)
+    assert verdict.status == "open"
+    assert ("unstable: its linear part has" in verdict.claim) == bool(eigenvalue)
+    assert repr(verdict).endswith(eigenvalue)

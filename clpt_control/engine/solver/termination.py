@@ -30,6 +30,7 @@ from .solver_layout import (
 STUCK = (Status.NOT_FINITE, Status.STEP_TOO_SMALL, Status.TOO_MANY_STEPS)
 ADVICE = "check the parameters of that block"  # where a signal is not finite
 LOOSEN = ", or loosen rtol and atol"
+GROWN = 1e6  # times the first states
 
 
 @dataclass
@@ -75,6 +76,8 @@ def ended(run: Any, solution: Solution, inputs: Inputs) -> Solution:
         reason = f"{', '.join(sweep.resetting)} {reason}"
     elif status in (Status.CHATTERING, Status.UNDECIDED):
         reason = run.refusal or f"{_switch(sweep, last)} {reason}"
+    elif status == Status.STEP_TOO_SMALL:
+        reason = _growth(sweep, last, solution.x[0]) or reason
     reason = _trouble(sweep, last, inputs) or reason
     work = "run" if last.callee.method.discrete else "integration"
     error = SimulationError(f"the {work} stopped at t = {last.now:.9g}: {reason}")
@@ -170,11 +173,25 @@ def _derivative_trouble(sweep: Sweep, batch: Batch, advice: str) -> str | None:
     """Return a sentence on a derivative along a direction that is not finite, or None."""
     rates = batch.states[RATE, sweep.nstates :, 0]
     for index in np.flatnonzero(~np.isfinite(rates)):
-        k = index % sweep.nstates
-        node = next(node for node in sweep.nodes if k < node.states.stop)
-        label = node.system.state_labels[k - node.states.start]
-        return f"derivative of d_{label} of block {node.name} is not finite; {advice}"
+        state = _name_of(sweep, index % sweep.nstates)
+        return f"derivative of d_{state} is not finite; {advice}"
     return None
+
+
+def _growth(sweep: Sweep, batch: Batch, first: ndarray) -> str:
+    """Return a sentence on a state that is far larger than the first ones, or ""."""
+    state = np.abs(batch.states[STATE, : sweep.nstates, 0])
+    k = int(np.argmax(state))
+    if not state[k] > GROWN * (1.0 + np.abs(first[: sweep.nstates]).max()):
+        return ""
+    grown = f"{_name_of(sweep, k)} has grown to {state[k]:.1g}"
+    return f"{grown}, and may have no value soon; end the run before"
+
+
+def _name_of(sweep: Sweep, k: int) -> str:
+    """Return the label of a state and its block."""
+    node = next(node for node in sweep.nodes if k < node.states.stop)
+    return f"{node.system.state_labels[k - node.states.start]} of block {node.name}"
 
 
 def stopped_at(batch: Batch, edge: int = HIGH) -> tuple[float, ndarray]:

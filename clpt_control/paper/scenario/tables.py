@@ -175,6 +175,10 @@ def sentence(problem: Any) -> str:
         before = f"{key}." if key else ""
         close = details["close"]
         hint = f"did you mean {before}{close}? Allowed" if close else "allowed"
+        for kind in (Circle, Waypoints) if tags else ():
+            if details["key"] in kind.model_fields:
+                name = kind.__name__.lower()
+                return f'{before}{details["key"]}: is a key of {before}kind = "{name}"'
         return (
             details["other"]
             or f"unknown key {before}{details['key']}; {hint} here: {details['allowed']}"

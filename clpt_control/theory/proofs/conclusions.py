@@ -158,6 +158,7 @@ CONDITIONS = {  # name -> sentence
     "outside V": "{} not held by V, and not known to be bounded",
     "N": "for {}",
     "approximation": "of {}",
+    "steps": "with V' the change of V in a step",
     "graphs": "on graphs of {}",
     "signs": "where {}",
     "between": "where {}",

@@ -23,7 +23,7 @@ from .conclusions import Condition, concluded, signs_of, strength
 from .judge import Answers, Verdict, asked, refuted, with_refutation
 from .rate_as_sum import in_region
 from .region import Region
-from .searching import candidates
+from .searching import candidates, growing_eigenvalue
 from .signal_functions import function_of_signals
 from .statements import joined, said
 from .steps import How, Step, first_failure, worked_out
@@ -171,6 +171,12 @@ def _searched(
             best = replace(
                 verdict, status="open", claim=claim, conclusions=(), conditions=()
             )
+    if (growing := growing_eigenvalue(candidate)) is not None:
+        number = growing if growing.imag else growing.real
+        unstable = (
+            f"the rest is unstable: its linear part has the eigenvalue {number:.3g}"
+        )
+        return Verdict("open", unstable)
     inputs = ", ".join(str(f.func) for f in candidate.inputs)
     still = f", with {inputs} = 0," if inputs else ""
     message = f"no V was found{still} that is proved: give one, or a rest (at=) to search about"

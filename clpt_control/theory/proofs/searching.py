@@ -26,16 +26,16 @@ from sympy import Add, Expr, Matrix, Poly, Rational, S, Tuple, expand
 from ...base.errors import DiagramError
 from ...engine.diagram.symbol_names import TIME
 from ..algebra.decided import decided
-from ..algebra.exact import vanishes
 from ..algebra.facts import ODD
 from ..algebra.slopes import along, slope_in
-from ..algebra.texts import short
 from .outside import is_stable
+from .symbolic_loop import moving_at
 from .system_candidate import SystemCandidate
 
 MOST = 16  # states
 SHARE = 10**4  # the largest denominator of a coefficient
 LONGEST = 10**30  # denominator of an entry of P
+ROUNDED = 1e-6  # of an eigenvalue
 HELD = 100.0  # what a held state weighs beside a coefficient
 
 Rates = dict[sympy.Symbol, Expr]
@@ -47,26 +47,17 @@ def candidates(case: SystemCandidate) -> Iterator[Expr]:
 
     First for any inputs, then for inputs of 0.
     """
-    rest_state = case.origin
-    zero, discrete = dict.fromkeys(case.inputs, S.Zero), case.eq.discrete
-    rates = {}
-    for s, rate in case.eq.motion.items():
-        number = rate.xreplace(case.eq.values)
-        kept, mark = (rest_state[s], "+") if discrete else (S.Zero, "'")
-        value = number.xreplace(rest_state).xreplace(zero)
-        if value.is_number and not vanishes(value - kept):
-            text = f"= {short(value)}" if value.is_finite else "has no value"
-            of_user = "this at=, which is no rest. Give another"
-            where = of_user if case.rest else "the rest: give it (at=)"
-            raise DiagramError(f"{case.system.name}: {s}{mark} {text} at {where}")
-        shifted = number.xreplace({q: q + rest_state[q] for q in rest_state})
-        rates[s] = expand(shifted - kept)
+    rest_state, discrete = case.origin, case.eq.discrete
+    if moving := moving_at(case.eq, rest_state):
+        of_user = "this at=, which is no rest. Give another"
+        where = of_user if case.rest else "the rest: give it (at=)"
+        raise DiagramError(f"{case.system.name}: {moving} at {where}")
+    rates, still = _about_rest(case)
     if len(rates) > MOST:
         raise DiagramError(
             f"{case.system.name}: has {len(rates)} states; a V is searched for of at most {MOST}: "
             "give one"
         )
-    still = {s: rate.xreplace(zero) for s, rate in rates.items()}
     tried = [rates, still] if case.inputs else [rates]
     programs = [_of_program(each, discrete) for each in tried]
     functions = chain(*programs, _of_linear_part(still, discrete))
@@ -74,12 +65,40 @@ def candidates(case: SystemCandidate) -> Iterator[Expr]:
         yield V.xreplace({s: s - rest_state[s] for s in rest_state})
 
 
+def growing_eigenvalue(case: SystemCandidate) -> complex | None:
+    """Return an eigenvalue of the linear part that makes the rest unstable, or None."""
+    A = _linear_part(_about_rest(case)[1])
+    if not all(entry.is_number and entry.is_finite for entry in A):
+        return None
+    entries = np.array(A, dtype=float)
+    eigenvalues = np.linalg.eigvals(entries)
+    growth = np.abs(eigenvalues) - 1 if case.eq.discrete else eigenvalues.real
+    grows = growth.max() > ROUNDED * (1 + np.abs(entries).max())
+    return complex(eigenvalues[growth.argmax()]) if grows else None
+
+
+def _about_rest(case: SystemCandidate) -> tuple[Rates, Rates]:
+    """Return the rates, or in discrete time next values, of s - rest; and with inputs of 0."""
+    rest_state, zero = case.origin, dict.fromkeys(case.inputs, S.Zero)
+    rates = {}
+    for s, rate in case.eq.motion.items():
+        number = rate.xreplace(case.eq.values)
+        kept = rest_state[s] if case.eq.discrete else S.Zero
+        shifted = number.xreplace({q: q + rest_state[q] for q in rest_state})
+        rates[s] = expand(shifted - kept)
+    return rates, {s: rate.xreplace(zero) for s, rate in rates.items()}
+
+
+def _linear_part(rates: Rates) -> Matrix:
+    """Return the slopes of rates at 0."""
+    states = list(rates)
+    A = Matrix([[slope_in(rate, s) for s in states] for rate in rates.values()])
+    return A.xreplace(dict.fromkeys(states, S.Zero)).applyfunc(decided)
+
+
 def _of_linear_part(rates: Rates, discrete: bool) -> Iterator[Expr]:
     """Yield z^T P z with A^T P + P A = -I, or A^T P A - P = -I, of a stable linear part."""
-    states = list(rates)
-    zero = dict.fromkeys(states, S.Zero)
-    A = Matrix([[slope_in(rate, s) for s in states] for rate in rates.values()])
-    A = A.xreplace(zero).applyfunc(decided)
+    states, A = list(rates), _linear_part(rates)
     if not all(entry.is_Rational for entry in A):
         return
     if is_stable(A, discrete):

@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 import control
 import numpy as np
 import sympy
-from sympy import Expr, sympify
+from sympy import Expr, S, sympify
 
 from ...base.errors import DiagramError
 from ...engine.diagram.merged_record import TapeRecord
@@ -29,10 +29,11 @@ from ...engine.record.symbolic import LONG, extent
 from ...engine.trace.arrays import Tape
 from ...engine.trace.derivative import Direction
 from ..algebra.every_n import EveryN
-from ..algebra.exact import nonzero_residual
+from ..algebra.exact import nonzero_residual, vanishes
 from ..algebra.facts import NUMPY_OF
 from ..algebra.numeric_values import NO_VALUE
 from ..algebra.slopes import along
+from ..algebra.texts import short
 from .paper_symbols import PaperNames, parameter_symbol, undefined
 
 
@@ -283,6 +284,18 @@ def refuse_no_rates(eq: Equations, motion: Mapping[Any, Expr]) -> None:
             raise DiagramError(
                 f"{eq.name}: with the parameters as they are {s}' has no value"
             )
+
+
+def moving_at(eq: Equations, rest: Mapping[Any, Expr]) -> str:
+    """Return a state and its rate at states that are no rest with inputs of 0, or ""."""
+    still = {s: S.Zero for port in eq.inputs.values() for s in port.flat}
+    for s, rate in eq.motion.items():
+        kept, mark = (rest[s], "+") if eq.discrete else (S.Zero, "'")
+        value = rate.xreplace(eq.values).xreplace(rest).xreplace(still)
+        if value.is_number and not vanishes(value - kept):
+            number = f"= {short(value)}" if value.is_finite else "has no value"
+            return f"{s}{mark} {number}"
+    return ""
 
 
 def refuse_unproved(wiring: Wiring, jumps: bool) -> None:

@@ -55,7 +55,7 @@ from .same_as_running import compare
 from .signal_functions import expression_of, undefined_in
 from .statements import Statement, joined, said
 from .steps import Step, checked, exact
-from .symbolic_loop import refuse_no_rates
+from .symbolic_loop import moving_at, refuse_no_rates
 from .ultimate_bounds import bound_of_V
 from .where import NOTHING, Where, check_where, rest_of
 
@@ -146,7 +146,8 @@ class SystemCandidate(LyapunovCandidate):
         self.rate = self._rate_of_V()
         self.readable: dict[Any, Expr] = {}  # V' -> V' in the user's signals
         self.rest = None if rest is None else rest_of(self.states, rest)
-        self.place = "rest" if self.rest else ""
+        moving = self.rest and moving_at(self.eq, self.rest)
+        self.place = f"`at` (no rest: {moving})" if moving else "rest" * bool(self.rest)
 
     def _leave_out(self, keeps: Callable | None) -> list[str]:
         """Leave out the states that relations give; return where these may have no value."""
@@ -488,6 +489,7 @@ class SystemCandidate(LyapunovCandidate):
             ("start", self.relations.text),
         )
         conditions = [Condition("t >= 0")] * has_time(self.V, rate)
+        conditions += [Condition("steps")] * bool(self.eq.discrete)
         conditions += [Condition(name, text) for name, text in texts if text]
         conditions += [Condition("rounding")] * self.is_rounded
         values = ((s, double(n)) for s, n in self.parameters.items())
