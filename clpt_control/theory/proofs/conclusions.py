@@ -88,7 +88,7 @@ CONCLUSIONS = {
     "asymptotically stable": Conclusion(
         "so the rest is asymptotically stable from every start",
         _needs("definite all falls rest jumps exists"),
-        "nothing more is needed",
+        "to show a rate k, give `claim=lambda s: -k * V(s)`",
         ("comes to rest", "goes to zero"),
     ),
     "comes to rest": Conclusion(
