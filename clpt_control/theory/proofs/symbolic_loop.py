@@ -298,6 +298,12 @@ def moving_at(eq: Equations, rest: Mapping[Any, Expr]) -> str:
     return ""
 
 
+def place_of(eq: Equations, rest: Mapping[Any, Expr]) -> str:
+    """Return the words for a point that is given as a rest."""
+    moving = moving_at(eq, rest)
+    return f"`at` (no rest: {moving})" if moving else "rest"
+
+
 def refuse_unproved(wiring: Wiring, jumps: bool) -> None:
     """Reject discrete time, blocks that sample, and, unless `jumps`, states that jump."""
     for block in [node.system for node in wiring.nodes]:

@@ -55,7 +55,7 @@ from .same_as_running import compare
 from .signal_functions import expression_of, undefined_in
 from .statements import Statement, joined, said
 from .steps import Step, checked, exact
-from .symbolic_loop import moving_at, refuse_no_rates
+from .symbolic_loop import place_of, refuse_no_rates
 from .ultimate_bounds import bound_of_V
 from .where import NOTHING, Where, check_where, rest_of
 
@@ -69,7 +69,6 @@ class SystemCandidate(LyapunovCandidate):
     `symbols`; `unsigned` ones may be any real number; each of `margins` is positive.
     """
 
-    place = ""  # where V is to be least, as text
     sizes = ""  # numbers of functions for which V' is as shown: N = 2
     disturbances: Sequence[Any] = ()  # inputs with a bound, which has their name
     KD: Mapping[Any, Any] = NOTHING  # e of a law -> its gain
@@ -146,8 +145,8 @@ class SystemCandidate(LyapunovCandidate):
         self.rate = self._rate_of_V()
         self.readable: dict[Any, Expr] = {}  # V' -> V' in the user's signals
         self.rest = None if rest is None else rest_of(self.states, rest)
-        moving = self.rest and moving_at(self.eq, self.rest)
-        self.place = f"`at` (no rest: {moving})" if moving else "rest" * bool(self.rest)
+        # where V is to be least, as text
+        self.place = place_of(self.eq, self.rest) if self.rest else ""
 
     def _leave_out(self, keeps: Callable | None) -> list[str]:
         """Leave out the states that relations give; return where these may have no value."""
