@@ -722,5 +722,5 @@ def test_a_search_for_V_names_an_eigenvalue_that_grows(rows):
     plant = control.ss(rows, [[0], [1]], [[1, 0]], 0, discrete)
     verdict = clpt.lyapunov(plant)
     assert verdict.status == "open"
-    assert ("unstable: its linear part has" in verdict.claim) == bool(eigenvalue)
+    assert ("unstable: the linear part" in verdict.claim) == bool(eigenvalue)
     assert repr(verdict).endswith(eigenvalue)

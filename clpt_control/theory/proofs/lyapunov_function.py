@@ -171,14 +171,12 @@ def _searched(
             best = replace(
                 verdict, status="open", claim=claim, conclusions=(), conditions=()
             )
-    if (growing := growing_eigenvalue(candidate)) is not None:
-        number = growing if growing.imag else growing.real
-        unstable = (
-            f"the rest is unstable: its linear part has the eigenvalue {number:.3g}"
-        )
-        return Verdict("open", unstable)
     inputs = ", ".join(str(f.func) for f in candidate.inputs)
     still = f", with {inputs} = 0," if inputs else ""
+    if (growing := growing_eigenvalue(candidate)) is not None:
+        number = growing if growing.imag else growing.real
+        cause = f"the linear part{still} has the eigenvalue {number:.3g}"
+        return Verdict("open", f"the rest is unstable: {cause}")
     message = f"no V was found{still} that is proved: give one, or a rest (at=) to search about"
     return best or Verdict("open", message)
 
