@@ -245,7 +245,8 @@ def _dataset(
     title = f"Learned flow: {learned.scenario.title}".removesuffix(": ")
     attributes = {"Conventions": "CF-1.11", "title": title}
     made = xarray.Dataset(data, coordinates, attributes)
-    made.time.attrs["standard_name"] = "time"
+    if made.time.dtype.kind == "M":  # the standard name is that of dates
+        made.time.attrs["standard_name"] = "time"
     return made
 
 

@@ -295,7 +295,6 @@ def test_a_map_in_degrees_has_east_and_north_and_opens_anywhere(tmp_path):
         flow = opened.load()
     assert flow.u.dims == ("time", "latitude", "longitude")
     assert flow.u.attrs["standard_name"] == "eastward_sea_water_velocity"
-    assert flow.time.attrs["standard_name"] == "time"
     assert flow.latitude.attrs["units"] == "degrees_north"
     assert flow.u.attrs["units"] == "km h-1"
     lat, lon = flow.latitude.values[20], flow.longitude.values[35]
@@ -375,3 +374,38 @@ def test_fixes_of_an_estimate_with_the_regions_of_their_forecasts(
         count = len(region)
         away = WGS84.inv(*np.tile([[lon], [lat]], count), *np.transpose(region))[2]
         np.testing.assert_allclose(away, radius, rtol=1e-3, atol=0.2)
+
+
+DEGREES = {"degrees_north": "latitude", "degrees_east": "longitude"}
+
+
+@pytest.fixture(scope="module")
+def files(tmp_path_factory):
+    """Return NetCDF files of runs, of an estimate, of their maps and of a replay."""
+    folder = tmp_path_factory.mktemp("cf")
+    short = {"run.duration": 20.0, "run.output_step": 0.1}
+    run = clpt.simulate(PAPER.with_values({**short, "origin": ORIGIN}))
+    plane = clpt.simulate(PAPER.with_values(short))
+    learned = clpt.currents.flow_estimate(run, every=5.0)
+    for name, data in {"run": run, "plane": plane, "learned": learned}.items():
+        data.to_netcdf(folder / f"{name}.nc")
+        clpt.export(data, folder / f"map_of_{name}.nc")
+    replay = clpt.replay.replay_dives(clpt.gliders.sample_dives())
+    replay.dataset().to_netcdf(folder / "replay.nc")
+    return sorted(folder.glob("*.nc"))
+
+
+def test_files_are_as_the_CF_conventions_ask(files):
+    assert len(files) == 7
+    for file in files:
+        with xarray.open_dataset(file, decode_coords="all") as data:
+            assert data.attrs["Conventions"].startswith("CF-"), file.name
+            for name, variable in data.variables.items():
+                label = f"{file.name}: {name}"
+                attributes = variable.attrs
+                is_text = variable.dtype.kind in "OSU"
+                assert is_text or {"long_name", "standard_name"} & {*attributes}, label
+                standard = attributes.get("standard_name")
+                if name in DEGREES.values():
+                    assert standard == DEGREES[attributes["units"]], label
+                assert standard != "time" or variable.dtype.kind == "M", label

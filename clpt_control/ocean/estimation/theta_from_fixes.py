@@ -19,6 +19,7 @@ from ...base.errors import DataError, ScenarioError, refuse_unused
 from ...base.geodesy import displacement
 from ...base.progress.interrupt import check
 from ...base.run_attributes import versions
+from ...base.units import DEGREES
 from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.file import scenario_to_text
 from ...paper.scenario.run_track import run_scenario
@@ -280,11 +281,14 @@ def flow_of_legs(
     start, end = (
         _dates(getattr(leg, key) for leg in legs) for key in ("t_gps2", "t_gpse")
     )
-    north, east = "degrees_north", "degrees_east"
+    north, east = DEGREES.values()
     error, region = "fix less forecast, before it was learned", f"{PERCENT} region"
 
     def column(values: Iterable[Any], name: str, units: str = "", *dims: str) -> tuple:
         attributes = {"long_name": name} | ({"units": units} if units else {})
+        for standard, degrees in DEGREES.items():
+            if units == degrees:
+                attributes["standard_name"] = standard
         return ("leg", *dims), np.array([*values]), attributes
 
     def of(source: Iterable[Any], keys: str, *described: str) -> tuple:
@@ -331,8 +335,12 @@ def flow_of_legs(
                 guaranteed, "guaranteed error of the flow at the fix", MPS
             ),
         },
-        {"leg": [leg.number for leg in legs], "axis": ["east", "north"]},
         {
+            "leg": column([leg.number for leg in legs], "number of the leg"),
+            "axis": ["east", "north"],
+        },
+        {
+            "Conventions": "CF-1.11",
             "fix_law": scenario.learning.law,
             "scenario": scenario_to_text(scenario),
             "fix_method": method,
