@@ -141,14 +141,7 @@ Start = Annotated[
 Report = dict[str, Any]  # ready for JSON
 PIPED = 140  # letters of a line that goes to no terminal
 LONG = 40  # characters; longer cells are broken into lines
-Json = Annotated[
-    bool,
-    flag(
-        "Print one JSON object and nothing else; a mistake is told on standard error.",
-        "--json",
-        default=...,
-    ),
-]
+Json = Annotated[bool, flag("Print results as one JSON object.", "--json", default=...)]
 
 Formats = Annotated[
     list[str] | None,
