@@ -17,7 +17,6 @@ place of these, and what they leave is a noise (`sides`).  Discrete time and jum
 such as those of sampled blocks, map the set by the mean value form.
 """
 
-from collections.abc import Callable
 from contextlib import suppress
 from functools import partial
 from typing import Any
@@ -58,11 +57,6 @@ NOISY = 2.0**-3  # wished growth of noise in a step, and share of a box's radius
 SMALL = 2.0**-8  # share of noise that may grow
 NOISY_STEPS = 2.0**-8  # of a run: steps with noise that may grow more
 EMPTY = np.array([np.inf, -np.inf])[:, None, None, None]  # bounds of no number
-
-
-def _always(value: Any) -> Callable[[Any], Any]:
-    """Return a function that is the same at all times of a step."""
-    return lambda h: value
 
 
 class Enclosure:
@@ -189,7 +183,6 @@ class Enclosure:
     ) -> tuple[Ball, Ball]:
         """Return centre and generators of a function of the set, or its box where it has none."""
         box = around_both(within(self._box(x, G), hull), x)
-        middle = Ball(self.P.c, 0 * self.P.r)
         try:
             with suppress(Switching):
                 J = series.evaluate(t, box, self.P, noisy=True)[:, 0, 1:]
@@ -197,7 +190,7 @@ class Enclosure:
                 self._plain(series, t, box)
                 series.held = series.lines
                 J = series.evaluate(t, box, self.P, noisy=True)[:, 0, 1:]
-            y = series.evaluate(t, x, middle)[:, 0, 0]
+            y = series.evaluate(t, x, exact(self.P.c))[:, 0, 0]
         except Undecided:  # a line may leave where a function has a value
             y = self._plain(series, t, box)
             return y, exact(np.zeros((len(y.c), len(self.r))))
@@ -256,11 +249,6 @@ class Enclosure:
                 except Undecided:
                     raise error from None
             self.short = min(larger * self.short, LONGEST * self.span)
-
-    @property
-    def _is_beside(self) -> bool:
-        """True after a short step beside a switch, while these may still grow."""
-        return SHORTEST * self.span < self.short < LONGEST * self.span
 
     # --- a step -------------------------------------------------------------------------------
 
@@ -331,7 +319,10 @@ class Enclosure:
     def _step(self, end: float, beside: Any = None) -> None:
         """Take a step by series."""
         p, n, N, t = ORDER, self.n, self.N, self.t
-        least, shortest = LEAST * self.span, SHORTER * self.short * self._is_beside
+        least = LEAST * self.span
+        # after a short step beside a switch, while these may still grow
+        is_beside = SHORTEST * self.span < self.short < LONGEST * self.span
+        shortest = SHORTER * self.short * is_beside
         # 1. coefficients on the box
         box = self._hull
         wide = self.wide.evaluate(exact(t), box, self.P)
@@ -352,7 +343,7 @@ class Enclosure:
             new = end if end - t - h < 1e-3 * h else t + h
             step = moved(t, new)
             try:
-                remainder, hull, apart = self._remainder(step, F, box, d, beside)
+                remainder, hull, apart = self._remainder(step, F, d, beside)
                 error = remainder.size * float(step.upper) ** (p + 1)
                 worst = float(np.max(error / allowed))
                 if worst <= 1.0 or h < 4.0 * least:
@@ -367,18 +358,15 @@ class Enclosure:
                 if h < least or t + h <= t:
                     raise
         # 3. mean value form
-        F_m = self.narrow.evaluate(
-            exact(t), exact(self.m[:n]), Ball(self.P.c, 0 * self.P.r)
-        )
-        terms = F_m[:, :, 0]
+        middle = exact(t), self._set[0], exact(self.P.c)
+        terms = self.narrow.evaluate(*middle)[:, :, 0]
         terms.c[:, p + 1], terms.r[:, p + 1] = remainder
         J = wide[:, : p + 1, 1 : N + 1]
         flow = self._flow(terms, J, apart)
         first = flow(step)
         if (H := self._bends(box, first[1])) is not None:
-            middle = Ball(self.P.c, 0 * self.P.r)
-            J = self.wide.evaluate(exact(t), exact(self.m[:n]), middle)
-            bent = self._flow(terms, J[:, : p + 1, 1 : N + 1], apart, H)
+            J = self.wide.evaluate(*middle)[:, : p + 1, 1 : N + 1]
+            bent = self._flow(terms, J, apart, H)
             radii = (self._box(*one).r + REACH for one in (bent(step), first))
             flow = bent if np.sum(np.divide(*radii)) < n else flow
         is_loose = bool(np.any(flow(step)[1].r @ self.r > LOOSE * box.r))
@@ -414,8 +402,7 @@ class Enclosure:
 
     def _walls(self, time: Ball, B: Ball, h: float) -> Any:
         """Return walls of the set in a step, by times since it began."""
-        box = within(self._box(*self._set), self.walls)
-        return walls(partial(self._plain, self.rates, time), box, B, h)
+        return walls(partial(self._plain, self.rates, time), self._inner, B, h)
 
     def _bends(self, box: Ball, G: Ball) -> Ball | None:
         """Return second derivatives of coefficients, where first ones on the box are too wide."""
@@ -434,23 +421,25 @@ class Enclosure:
         return exact(self.m[: self.n]), exact(self.G[: self.n])
 
     @property
+    def _inner(self) -> Ball:
+        """The box of the states within the walls."""
+        return within(self._box(*self._set), self.walls)
+
+    @property
     def _hull(self) -> Ball:
         """The box of the states within the walls, and their middle."""
-        x, G = self._set
-        return around_both(within(self._box(x, G), self.walls), x)
+        return around_both(self._inner, self._set[0])
 
     def _box(self, x: Ball, G: Ball) -> Ball:
         """Return the box of values with a middle and generators."""
         return balls.add(x, matrix(G, around(self.r)))
 
-    def _accept(
-        self, new: float, hull: Any, flow: Any, has_walls: bool = False
-    ) -> None:
+    def _accept(self, new: float, hull: Any, flow: Any, has_walls: bool) -> None:
         """Go to a new time, and write the boxes up to it.
 
         `flow` returns centre and generators of x after a time in a ball, `hull` a box of them.
         """
-        t, before = self.t, within(self._box(*self._set), self.walls)
+        t, before = self.t, self._inner
         # 1. boxes over intervals, as far as these are in the step, and at samples
         for k in range(self.place(t, "right"), self.place(new) + 1):
             begin, end = max(t, self.times[k - 1]), min(new, self.times[k])
@@ -512,7 +501,7 @@ class Enclosure:
     # --- boxes that hold runs -----------------------------------------------------------------
 
     def _remainder(
-        self, step: Ball, F: Ball, box: Ball, d: np.ndarray | None, beside: Any
+        self, step: Ball, F: Ball, d: np.ndarray | None, beside: Any
     ) -> tuple[Ball, Any, Any]:
         """Return coefficient p + 1 on a box that holds all runs, the box, and what noise adds.
 
@@ -537,10 +526,12 @@ class Enclosure:
             found = self.narrow.evaluate(time, B, self.P)[:, p + 1, 0]
             needed = last * found.size * balls.GROWTH
             if np.all(needed < reach):
-                B = Ball(base.c, (base.r + needed) * balls.GROWTH)
-                return found, _always(B), _always(0.0 * needed)
+                break
             reach = np.maximum(reach, 4.0 * needed)
-        raise Undecided("no box holds the runs of a step")
+        else:
+            raise Undecided("no box holds the runs of a step")
+        B = Ball(base.c, (base.r + needed) * balls.GROWTH)
+        return found, (lambda h: B), (lambda h: 0.0 * needed)
 
     def _picard(
         self, time: Ball, h: float, reach: float, has_lines: bool = False
