@@ -119,13 +119,6 @@ def _rows(spec: Specification, times: np.ndarray) -> slice:
     return slice(int(times.searchsorted(spec.begin)), None)
 
 
-def _bounds(piece: Any, spec: Specification, column: int, times: np.ndarray) -> tuple:
-    """Return lower and upper bounds of a margin at its times, and lower ones over intervals."""
-    rows = _rows(spec, times)
-    at, over = piece[:, 0, rows, column], piece[:, 1, rows, column]
-    return at[0], at[1], over[0, 1:]
-
-
 @public
 def verify(
     system: "Scenario | control.InputOutputSystem",
@@ -224,19 +217,19 @@ def verify(
 
     def undecided(piece: Enclosure) -> bool:
         for k, spec in enumerate(specs):
-            low, high, over = _bounds(piece.bounds, spec, k - len(specs), piece.times)
+            rows = _rows(spec, piece.times)
+            (low, over), (high, _) = piece.bounds[:, :, rows, k - len(specs)]
             if np.any(spec.fails(high)):
                 return False  # of a part that is refuted by any of its runs
-            if not (np.all(spec.holds(low)) and np.all(spec.holds(over))):
+            if not (np.all(spec.holds(low)) and np.all(spec.holds(over[1:]))):
                 return True
         return False
 
     # 1. boxes of the whole set: bad arguments are named here
-    tube = boxes(system, times, **given, margins=margins, most_steps=MOST_STEPS)
+    boxes_of = partial(boxes, system, times, margins=margins)
+    tube = boxes_of(**given, most_steps=MOST_STEPS)
     specs = _at_times(specs, tube.time.values)
-    proved = [
-        _is_proved(spec, name, tube) for name, spec in zip(margins, specs, strict=True)
-    ]
+    proved = _are_proved(specs, tube)
     # 2. a run that violates
     search, refuted = None, None
     if not all(proved):
@@ -247,19 +240,11 @@ def verify(
             run = prepare(diagram, at, **members.member(np.zeros(0)))
         search = Search(run, specs, members, tube.time.values, labels)
         search(np.random.default_rng(seed))
-        refuted = _confirmed(
-            search,
-            partial(boxes, system, times, margins=margins, most_steps=MOST_STEPS),
-            specs,
-        )
+        refuted = _confirmed(search, partial(boxes_of, most_steps=MOST_STEPS), specs)
     # 3. pieces
     if not all(proved) and refuted is None and pieces > 1:
-        tube = boxes(
-            system, times, **given, margins=margins, pieces=pieces, undecided=undecided
-        )
-        proved = [
-            _is_proved(s, name, tube) for name, s in zip(margins, specs, strict=True)
-        ]
+        tube = boxes_of(**given, pieces=pieces, undecided=undecided)
+        proved = _are_proved(specs, tube)
     unknown = np.full(tube.sizes["time"], np.nan)
     found: dict[str, Any] = {"tube": tube, "margins": dict.fromkeys(margins, unknown)}
     if search is not None and search.best is not None and np.isfinite(search.best[0]):
@@ -337,12 +322,15 @@ def _are_held(inputs: Any, count: int, system: Any) -> bool:
     return False
 
 
-def _is_proved(spec: Specification, name: str, tube: "xarray.Dataset") -> bool:
-    """Return whether all boxes of a margin have its sign."""
-    of = tube.sel(name=name)
-    rows = _rows(spec, tube.time.values)
-    low, over = of.lower.values[rows], of.over_lower.values[rows][1:]
-    return bool(len(low) and np.all(spec.holds(low)) and np.all(spec.holds(over)))
+def _are_proved(specs: list[Specification], tube: "xarray.Dataset") -> list[bool]:
+    """Return of each specification whether all boxes of its margin have its sign."""
+    proved = []
+    for k, spec in enumerate(specs, -len(specs)):
+        rows = _rows(spec, tube.time.values)
+        low, over = tube.lower.values[rows, k], tube.over_lower.values[rows, k][1:]
+        shown = len(low) and np.all(spec.holds(low)) and np.all(spec.holds(over))
+        proved.append(bool(shown))
+    return proved
 
 
 def _confirmed(
@@ -376,14 +364,14 @@ def _verdict(
         Step(f"boxes show {spec.claim}", is_shown, "enclosed")
         for spec, is_shown in zip(specs, proved, strict=True)
     ]
-    if search is not None and search.best is not None and np.isfinite(search.best[0]):
-        least, _, at = search.best
-        runs = f"{search.runs} run{'s' * (search.runs > 1)}"
-        text = f"the least margin of {runs} is {least:.6g}, at t = {at:.9g}"
-        holds = least > 0.0 and not search.without
-        steps.append(Step(text, holds, "sampled", needed=False))
-    without = search.without if search is not None else {}
-    steps += [Step(text, False, "sampled") for text in without]
+    if search is not None:
+        if "margin" in more:
+            least, at = more["margin"], more["time"]
+            runs = f"{search.runs} run{'s' * (search.runs > 1)}"
+            text = f"the least margin of {runs} is {least:.6g}, at t = {at:.9g}"
+            holds = least > 0.0 and not search.without
+            steps.append(Step(text, holds, "sampled", needed=False))
+        steps += [Step(text, False, "sampled") for text in search.without]
     of_model = RunCondition("recorded", "of the recorded equations in exact arithmetic")
     until = RunCondition("times", f"for t from {times[0]:.9g} to {times[-1]:.9g}")
     conditions: tuple[Any, ...] = (until, of_model)
