@@ -121,8 +121,8 @@ def specification_of(
             kinds.add(isinstance(kind, ast.Lt | ast.Gt))
             is_less = isinstance(kind, ast.Lt | ast.LtE)
             pairs.append((left, right) if is_less else (right, left))
-    reader = _Reader(f"{argument} = '{given}'")
-    functions = [(reader.read(low), reader.read(high)) for low, high in pairs]
+    where = f"{argument} = '{given}'"
+    functions = [(_formula(where, low), _formula(where, high)) for low, high in pairs]
 
     def margin(s: Any) -> Any:
         return reduce(np.minimum, (high(s) - low(s) for low, high in functions))
@@ -138,46 +138,38 @@ def element(port: Any, k: int) -> Any:
     return port[k] if is_port else [port][k]
 
 
-class _Reader:
-    """Reader of a formula as a function of signals; nothing of it is run by Python."""
+def _formula(where: str, node: ast.expr) -> Callable[[Any], Any]:
+    """Return a formula as a function of signals; nothing of it is run by Python."""
+    match node:
+        case ast.Constant(value=int() | float() as value) if value is not True:
+            return lambda s: float(value)
+        case ast.Name(id=name):
+            return lambda s: NAMES["pi"] if name == "pi" else getattr(s, name)
+        case ast.Subscript(
+            value=ast.Name(id=name), slice=ast.Constant(value=int() as k)
+        ):
+            return lambda s: element(getattr(s, name), k)
+        case ast.BinOp(left=a, op=op, right=b) if type(op) in OPERATORS:
+            return _call(where, OPERATORS[type(op)], [a, b])
+        case ast.UnaryOp(operand=a, op=op) if type(op) in OPERATORS:
+            return _call(where, OPERATORS[type(op)], [a])
+        case ast.Call(
+            func=ast.Name(id=name) | ast.Attribute(value=ast.Name(id="np"), attr=name),
+            args=parts,
+            keywords=[],
+        ) if callable(function := FUNCTIONS.get(name)) and len(parts) == getattr(
+            function, "nin", 1
+        ):
+            return _call(where, function, parts)
+    raise ArgumentError(f"{where}: '{ast.unparse(node)}' is not read. {GRAMMAR}")
 
-    def __init__(self, where: str):
-        self.where = where
 
-    def read(self, node: ast.expr) -> Callable[[Any], Any]:
-        """Return a formula as a function of signals."""
-        match node:
-            case ast.Constant(value=int() | float() as value) if value is not True:
-                return lambda s: float(value)
-            case ast.Name(id=name):
-                return lambda s: NAMES["pi"] if name == "pi" else getattr(s, name)
-            case ast.Subscript(
-                value=ast.Name(id=name), slice=ast.Constant(value=int() as k)
-            ):
-                return lambda s: element(getattr(s, name), k)
-            case ast.BinOp(left=a, op=op, right=b) if type(op) in OPERATORS:
-                return self.call(OPERATORS[type(op)], [a, b])
-            case ast.UnaryOp(operand=a, op=op) if type(op) in OPERATORS:
-                return self.call(OPERATORS[type(op)], [a])
-            case ast.Call(
-                func=ast.Name(id=name)
-                | ast.Attribute(value=ast.Name(id="np"), attr=name),
-                args=parts,
-                keywords=[],
-            ) if callable(function := FUNCTIONS.get(name)) and len(parts) == getattr(
-                function, "nin", 1
-            ):
-                return self.call(function, parts)
-        raise ArgumentError(
-            f"{self.where}: '{ast.unparse(node)}' is not read. {GRAMMAR}"
-        )
-
-    def call(
-        self, function: Callable[..., Any], parts: list[ast.expr]
-    ) -> Callable[[Any], Any]:
-        """Return a function of formulas."""
-        functions = [self.read(part) for part in parts]
-        return lambda s: function(*(of(s) for of in functions))
+def _call(
+    where: str, function: Callable[..., Any], parts: list[ast.expr]
+) -> Callable[[Any], Any]:
+    """Return a function of formulas."""
+    functions = [_formula(where, part) for part in parts]
+    return lambda s: function(*(of(s) for of in functions))
 
 
 def named(labels: list[str], values: Any, signals: dict[str, Any]) -> dict[str, Any]:
