@@ -24,6 +24,7 @@ from ...base.progress import warn
 from ..conformance.confirmation import drawn_around
 from ..model.block import Block
 from ..model.ports import bare_labels, places, spans_of
+from ..model.sampled import Sampled
 from ..record.graph import Shape, compact, evaluated, reached
 from ..record.operations import FOLDS, named
 from ..record.unread import Unread
@@ -32,12 +33,7 @@ from ..trace.derivative import OF_OVERFLOW, Direction
 from ..trace.elementwise import lifted
 from .interconnection import Diagram
 from .merged_record import TapeRecord
-from .sampled_linearization import (
-    common_period,
-    discrete_system,
-    sampled_blocks,
-    states_of,
-)
+from .sampled_linearization import common_period, discrete_system, states_of
 from .wiring import Node, Wiring, read_anew, vector_by_name, wiring_of
 
 BEND = named(lambda row: row.smoothness >= FOLDS)
@@ -300,7 +296,7 @@ def _linearized(
     x = vector_of("x", x, n)
     u = vector_of("u", u, m)
     try:
-        blocks = sampled_blocks(wiring)
+        blocks = [node for node in wiring.nodes if isinstance(node.system, Sampled)]
         about = _About(system, wiring, t, x, u)
         for _ in blocks:
             # some blocks sample what others make of their samples
@@ -351,7 +347,11 @@ def _linearized(
     ):  # python-control's systems keep their labels
         inputs, outputs = bare_labels(inputs), bare_labels(outputs)
     linear = state_space(
-        *(A, B, C, D, dt),
+        A,
+        B,
+        C,
+        D,
+        dt,
         states=states or None,
         inputs=inputs,
         outputs=outputs,

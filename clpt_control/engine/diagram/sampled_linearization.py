@@ -20,16 +20,10 @@ import numpy as np
 from scipy.linalg import expm
 
 from ...base.errors import DiagramError
-from ..model.sampled import Sampled
-from .wiring import Node, Wiring
+from .wiring import Node
 
 ROUNDING = 1e-9  # relative: ratios of periods that differ by less are equal
 MOST_SAMPLES = 10_000  # within the common period
-
-
-def sampled_blocks(wiring: Wiring) -> list[Node]:
-    """Return the sampled blocks of a diagram."""
-    return [node for node in wiring.nodes if isinstance(node.system, Sampled)]
 
 
 def states_of(blocks: Iterable[Node], are_held: bool) -> np.ndarray:
