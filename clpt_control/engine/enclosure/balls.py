@@ -139,11 +139,7 @@ def total(terms: Ball) -> Ball:
 
 def rising(function: Any) -> Any:
     """Return a function that rises, of a raw interval."""
-
-    def on_interval(interval: Any, bits: int) -> Any:
-        return [function(end, bits) for end in interval]
-
-    return on_interval
+    return lambda interval, bits: [function(end, bits) for end in interval]
 
 
 def logistic(a: Any, bits: int) -> Any:

@@ -23,7 +23,7 @@ from .set_program import CHOICES, DECIDED, ROWS, SetProgram
 MOST_SECOND = 50_000  # values times directions, twice
 
 
-def tangents(program: SetProgram, along: Sequence[tuple[str, int]]) -> bool:
+def tangents(program: SetProgram, along: Sequence[tuple[str, int]]) -> None:
     """Append derivatives of states along states and P as states; not of rates with decisions.
 
     Derivative j of state i is ("X", n + j n + i).
@@ -31,7 +31,7 @@ def tangents(program: SetProgram, along: Sequence[tuple[str, int]]) -> bool:
     kinds = {step.kind for step in program.needed()[1]}
     is_large = len(along) ** 2 * len(program.still) > MOST_SECOND
     if kinds & {*CHOICES, *DECIDED} or program.sources or is_large:
-        return False
+        return
     n, rates = len(program.x), program.results
     loads = {value: key for key, value in program.known.items() if len(key) == 2}
     known: dict[tuple[int, int], int | None] = {}
@@ -62,7 +62,6 @@ def tangents(program: SetProgram, along: Sequence[tuple[str, int]]) -> bool:
         found = [slope(rate, j) for j in range(len(along)) for rate in rates]
     program.results = rates + [program.number(0.0) if k is None else k for k in found]
     program.x += [program.load("X", n + k) for k in range(n * len(along))]
-    return True
 
 
 def second_derivatives(found: Ball, n: int, N: int) -> Ball:
