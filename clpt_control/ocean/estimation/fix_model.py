@@ -242,10 +242,9 @@ class FixModel:
     def terms(self) -> tuple[Term, ...]:
         """The terms, in the order of the parameters."""
         p = self.priors
-        current = Term("current", _axes("current"), p.current, math.inf, steady)
         fading = p.inertial_fading
         choice = {
-            "steady": [current],
+            "steady": [Term("current", _axes("current"), p.current, math.inf, steady)],
             "inertial": [
                 Term("inertial", _axes("inertial"), p.inertial, fading, inertial)
             ],
@@ -255,22 +254,19 @@ class FixModel:
         }
         terms = []
         for name in self.flow:
-            terms += choice[name] if name in choice else [self._tide(name)]
+            if name in choice:
+                terms += choice[name]
+            else:  # a constituent
+                names = _axes(f"{name}_cos") + _axes(f"{name}_sin")
+                columns = partial(tide, name)
+                terms.append(Term("tides", names, p.tide, p.tide_fading, columns))
         if self.learn_speed:
-            fading, compass_fading = p.speed_fading, p.compass_fading
+            fading = p.compass_fading
             terms += [
-                Term("speed", ("speed",), p.speed, fading, speed_column),
-                Term(
-                    "compass", ("compass",), p.compass, compass_fading, compass_column
-                ),
+                Term("speed", ("speed",), p.speed, p.speed_fading, speed_column),
+                Term("compass", ("compass",), p.compass, fading, compass_column),
             ]
         return tuple(terms)
-
-    def _tide(self, name: str) -> Term:
-        """Return the term of a tide."""
-        names = _axes(f"{name}_cos") + _axes(f"{name}_sin")
-        columns = partial(tide, name)
-        return Term("tides", names, self.priors.tide, self.priors.tide_fading, columns)
 
     @cached_property
     def names(self) -> tuple[str, ...]:
