@@ -111,11 +111,11 @@ def percentile_table(
     labels = [*summary["summaries"]]
     cycles = [label for label in labels if " cycle " in label]
     hidden = {*cycles[MOST_ROUNDS - 1 : -1]}
-    rows = [
-        [label, *_cells(column)]
-        for label, column in summary["summaries"].items()
-        if label not in hidden
-    ]
+    rows = []
+    for label, column in summary["summaries"].items():
+        if label not in hidden:
+            cells = ["-"] * 5 if column is None else [f"{x:.4g}" for x in column]
+            rows.append([label, *cells])
     ended = ", ".join(
         f"{n} {how.replace('_', ' ')}" for how, n in summary["ended"].items()
     )
@@ -127,10 +127,6 @@ def percentile_table(
         sentences = [*sentences, f"the first member that did not finish is {failed}"]
     columns = ["percentile", *(f"{p} %" for p in summary["percents"])]
     return Result(f"{name}: {ended}", columns, rows, [*sentences])
-
-
-def _cells(column: list[float] | None) -> list[str]:
-    return ["-"] * 5 if column is None else [f"{value:.4g}" for value in column]
 
 
 def _varied(data: Dataset, request: Request) -> Section:
