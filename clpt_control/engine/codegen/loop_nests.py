@@ -26,7 +26,7 @@ class Element(NamedTuple):
 
     array: str
     offset: int
-    terms: Sequence[tuple[Any, int]] = ()  # index and stride of each loop
+    terms: Sequence[tuple[Any, int]]  # index and stride of each loop
     apart: int | None = None  # stride of eight iterations at once
 
 

@@ -102,7 +102,7 @@ class Wiring:
     order: tuple[int, ...]  # indices into `nodes`, in the order of evaluation
     ninputs: int
     outputs: tuple[Row, ...]
-    dt: Any = 0  # period of a discrete diagram, or True
+    dt: Any  # 0, the period of a discrete diagram, or True
 
     @property
     def blocks(self) -> list[tuple[str, Any]]:

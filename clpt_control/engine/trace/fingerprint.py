@@ -95,7 +95,7 @@ class Fingerprint:
     mutables: tuple[Mutable, ...]  # what the functions may change
     # objects whose identities are in the key; they must stay alive
     referenced: tuple[Any, ...]
-    reads: Reads | None = None  # names of which equal values give this fingerprint
+    reads: Reads | None  # names of which equal values give this fingerprint
 
 
 def reachable(*values: Any, trusted: bool = False) -> Fingerprint:

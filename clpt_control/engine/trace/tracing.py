@@ -51,7 +51,6 @@ RAISED = (
 OF_PATHS = (*RAISED, RuntimeError, SystemError, Outside)
 
 
-NO_CONDITIONS = Record((), (), ())
 WITHOUT_ORDER = Iterator, KeysView, ValuesView, ItemsView, Set
 
 
@@ -60,10 +59,10 @@ class Read(NamedTuple):
 
     record: Record
     pinned: frozenset[str]  # parameters whose values the record depends on
-    texts: frozenset[Any] = frozenset()  # in the functions
-    names: frozenset[Any] = frozenset()  # for which python-control's params were asked
-    spreads: bool = False  # it returns one number for all states or outputs
-    conditions: Record = NO_CONDITIONS  # comparisons on its paths
+    texts: frozenset[Any]  # in the functions
+    names: frozenset[Any]  # for which python-control's params were asked
+    spreads: bool  # it returns one number for all states or outputs
+    conditions: Record  # comparisons on its paths
 
 
 class Request(NamedTuple):
@@ -78,8 +77,8 @@ class Request(NamedTuple):
     shapes: Mapping[str, Shape]
     out: Mapping[str, Shape]
     # p are python-control's params, else the Parameters of a block
-    of_control: bool = False
-    trusted: bool = False  # a function of this package, without hidden state
+    of_control: bool
+    trusted: bool  # a function of this package, without hidden state
     # returns a sentence on a new record that gives other numbers than the function
     confirm: Callable[[Read], str] = lambda result: ""
 

@@ -31,7 +31,7 @@ class FlownLeg(NamedTuple):
 
     leg: Leg
     end: np.ndarray
-    bend: float = 0.0
+    bend: float
 
 
 class Shot(NamedTuple):
