@@ -278,7 +278,14 @@ def boxes(
     jumps = None if made.wiring.dt else [*layout.jumps.values()]
     times = request.times if request.steps is None else request.times[request.steps]
     runs = enclosed(
-        *(whole, schedule, pieces, programs, noise, times, jumps, most_steps),
+        whole,
+        schedule,
+        pieces,
+        programs,
+        noise,
+        times,
+        jumps,
+        most_steps,
         undecided=undecided,
     )
     lost = {names[one.n + k]: why for one in runs for k, why in one.lost.items()}

@@ -176,7 +176,9 @@ def verify(
             raise ClptError(f"--flow {flow}: the scenario has no flow parameters")
     end = loaded.run.duration if until is None else until
     verdict = clpt.verify(
-        *(loop, [0.0, end], None, None, params),
+        loop,
+        [0.0, end],
+        params=params,
         always=always,
         never=never,
         by=target,

@@ -408,8 +408,13 @@ AS_GIVEN: dict[Any, Callable] = {
     **{
         function: lambda *_, name=function.__name__, **__: refuse(f"np.{name}")
         for function in (
-            *(np.shares_memory, np.may_share_memory, np.ix_),
-            *(np.quantile, np.percentile, np.partition, np.argpartition),
+            np.shares_memory,
+            np.may_share_memory,
+            np.ix_,
+            np.quantile,
+            np.percentile,
+            np.partition,
+            np.argpartition,
         )
     },
 }

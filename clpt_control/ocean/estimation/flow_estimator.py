@@ -55,8 +55,16 @@ LEAST_UNKNOWN = 5.0  # s
 ARRAYS = ("theta", "P")  # of a guess
 # of an estimator
 PLAIN = [
-    *("legs", "fastest", "turn", "told", "ways", "rows"),
-    *("water", "fixes", "seen", "computed"),
+    "legs",
+    "fastest",
+    "turn",
+    "told",
+    "ways",
+    "rows",
+    "water",
+    "fixes",
+    "seen",
+    "computed",
 ]
 SAME = 1e-6  # of a width, by which a track may be off for the same phi
 EARLIER = 1e-3  # s by which a time may be before the last one, by rounding
@@ -572,7 +580,9 @@ class FlowEstimator:
     ) -> Learned:
         """Return the results of a fix."""
         return Learned(
-            *(time, latitude, longitude),
+            time,
+            latitude,
+            longitude,
             self.flow_parameters,
             self.standard_error,
             self.flow(time, latitude, longitude),

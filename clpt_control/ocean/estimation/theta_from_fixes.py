@@ -316,16 +316,24 @@ def flow_of_legs(
             "flow": column(flow, "learned flow at the fix", MPS, "axis"),
             "flow_parameters_estimate": column(
                 [*(r.flow_parameters for r in learned[:-1]), theta],
-                *("estimate of theta after the leg", MPS, "axis", "basis"),
+                "estimate of theta after the leg",
+                MPS,
+                "axis",
+                "basis",
             ),
             "standard_error": column(
                 [*(r.standard_error for r in learned[:-1]), errors],
-                *("standard error of each row of theta", MPS, "basis"),
+                "standard error of each row of theta",
+                MPS,
+                "basis",
             ),
             "covariance": column(
                 np.array(covariances) * speed**2,
-                *("covariance of each row of theta", "m2 s-2"),
-                *("axis", "basis", "other_basis"),
+                "covariance of each row of theta",
+                "m2 s-2",
+                "axis",
+                "basis",
+                "other_basis",
             ),
             "leg_flow": column(
                 np.array(shown) * speed, "mean flow along the leg", MPS, "axis"

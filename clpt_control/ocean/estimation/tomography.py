@@ -113,7 +113,9 @@ def _single_shooting(
         return np.vstack([by_theta.reshape(-1, len(p)), np.diag(1 / sd)])
 
     solution = least_squares(
-        *(residuals, start.ravel(), jacobian),
+        residuals,
+        start.ravel(),
+        jacobian,
         x_scale=sd,
         loss=loss,
         f_scale=ROBUST,

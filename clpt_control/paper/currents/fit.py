@@ -203,7 +203,11 @@ def fit_current(
     )
     field = regular_grid(
         currents.time,
-        *(currents.lat, currents.lon, full_u, full_v, plane),
+        currents.lat,
+        currents.lon,
+        full_u,
+        full_v,
+        plane,
         np.all(gap, axis=0),
     )
     room = min(-field.x1[0], field.x1[-1], -field.x2[0], field.x2[-1])
