@@ -6,7 +6,7 @@ functions, p = 0 and q is not.  Roots and rounded numbers are left to SymPy's ow
 
 from collections import defaultdict
 from collections.abc import Iterable, Mapping
-from functools import lru_cache
+from functools import cache, lru_cache
 from math import comb, prod
 from types import MappingProxyType
 from typing import Any
@@ -105,12 +105,10 @@ def _fraction(expression: Expr) -> tuple[PolyElement, PolyElement]:
     generators = zip(ring.symbols, ring.gens, strict=True)
     fractions = {symbol: (generator, ring.one) for symbol, generator in generators}
 
+    @cache
     def fraction(e: Expr) -> tuple[PolyElement, PolyElement]:
-        if e not in fractions:
-            fractions[e] = combined(e)
-        return fractions[e]
-
-    def combined(e: Expr) -> tuple[PolyElement, PolyElement]:
+        if e in fractions:
+            return fractions[e]
         if e.is_Rational:
             return ring.ground_new(e.p), ring.ground_new(e.q)
         if e.is_Pow:

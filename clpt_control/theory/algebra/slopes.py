@@ -6,6 +6,7 @@ slide along the kink, and V rise.
 """
 
 from collections.abc import Callable
+from functools import cache
 from itertools import combinations
 from math import inf
 from typing import Any
@@ -65,14 +66,11 @@ def _without_steps(terms: list[Expr]) -> Expr:
 
 def along(expression: Expr, rates: dict[Any, Expr]) -> Expr:
     """Return the derivative of an expression along a motion: symbols -> their rates, or 0."""
-    rates = dict(rates)  # of subexpressions as well
 
+    @cache
     def rate(e: Expr) -> Expr:
-        if e not in rates:
-            rates[e] = chain_rule(e)
-        return rates[e]
-
-    def chain_rule(e: Expr) -> Expr:
+        if e in rates:
+            return rates[e]
         if e.is_Atom:
             return S.Zero
         if e.is_Add:
