@@ -130,22 +130,20 @@ class Invariants(LoopCandidate):
             self.relations.add(s - value, [s])
         self.matrices = {port: self.states[port] for port in law.semidefinite}
         if own_V is None:
-            self.tied = symbols_of_V(
-                loop, V, law.V, (block.parameters, p), (true, truth)
-            )
+            tied = symbols_of_V(loop, V, law.V, (block.parameters, p), (true, truth))
         else:
-            self.tied = loop.numbers_of(block.name, V.name)
-            self.tied |= symbols_of_V(loop, V, own_V, (true, truth))
-        self.V, self.rate = self.V.xreplace(self.tied), self.rate.xreplace(self.tied)
+            tied = loop.numbers_of(block.name, V.name)
+            tied |= symbols_of_V(loop, V, own_V, (true, truth))
+        self.V, self.rate = self.V.xreplace(tied), self.rate.xreplace(tied)
         # of signals, rates, and d P^-1, d = theta_hat - theta
         rates = {f"{port}'": rate for port, rate in self.rates.items()}
         signals = {**loop.inputs, **self.states, **rates, "d P^-1": self.c}
         self.losses = [
-            tuple(sympify(factor).xreplace(self.tied) for factor in product)
+            tuple(sympify(factor).xreplace(tied) for factor in product)
             for product in law.losses(signals, p, truth)
         ]
         self.error_growth = sympify(law.error_growth(signals, p, truth))
-        pushed = sympify(drive(law, signals, truth)).xreplace(self.tied)
+        pushed = sympify(drive(law, signals, truth)).xreplace(tied)
         # what V' has beyond -e^T KD e
         self.residual = pushed - sum(map(math.prod, self.losses))
         self.weighted_error, self.free = None, dict[Any, Any]()
