@@ -16,7 +16,6 @@ from ...paper.laws.table import LAWS
 from ..algebra.texts import bound_text
 from ..laws.prove_law import verdict_on_row
 from ..laws.theorem_loop import law_and_V
-from ..proofs.judge import Verdict
 from ..proofs.proof import Proof, proof_or_failure
 from .limited_speed import LIMITED_SPEED
 from .misprints import misprints
@@ -28,12 +27,8 @@ N = 2  # basis functions of a law of the table; a proof for every N says so
 
 
 def proof_of_law(law: Law) -> Proof:
-    """Prove one law."""
-    return proof_of(verdict_on_row(law, POINTS, law_and_V(law, N)[0]))
-
-
-def proof_of(verdict: Verdict) -> Proof:
-    """Return what is written of a verdict: its fields as text and numbers."""
+    """Prove one law; return what is written of its verdict: its fields as text and numbers."""
+    verdict = verdict_on_row(law, POINTS, law_and_V(law, N)[0])
     level = None if verdict.level is None else bound_text(verdict.level)
     return Proof(**{**verdict.judged, "level": level})
 
