@@ -53,7 +53,7 @@ class Specification:
     margin: Callable[[Any], Any]
     strict: bool | None  # None where parts differ: 0 then decides nothing
     begin: float
-    sign: float = 1.0
+    sign: float
 
     def of(self, signals: Mapping[str, Any]) -> Any:
         """Return the margin of signals by name."""
@@ -90,7 +90,7 @@ class Specification:
 
 
 def specification_of(
-    argument: str, given: Any, begin: float, sign: float = 1.0
+    argument: str, given: Any, begin: float, sign: float
 ) -> Specification:
     """Read an argument of `verify`: a text, or a function of signals."""
     when = f"from t = {begin:.9g} on" if argument == "by" else argument

@@ -247,7 +247,7 @@ def verify(
         proved = _are_proved(specs, tube)
     unknown = np.full(tube.sizes["time"], np.nan)
     found: dict[str, Any] = {"tube": tube, "margins": dict.fromkeys(margins, unknown)}
-    if search is not None and search.best is not None and np.isfinite(search.best[0]):
+    if search is not None and np.isfinite(search.best[0]):
         least, shares, at = search.best
         member = search.members.member(shares)
         found |= {"time": at, "margin": least, "member": member}
@@ -337,7 +337,7 @@ def _confirmed(
     search: Search, box: Callable[..., Any], specs: list[Specification]
 ) -> tuple[Specification, float] | None:
     """Return the specification that boxes around the best run violate, and the first time."""
-    if search.best is None or search.best[0] > 0.0:
+    if search.best[0] > 0.0:
         return None
     tube = box(**search.members.member(search.best[1]))
     for k, spec in enumerate(specs):

@@ -24,7 +24,6 @@ class Members:
 
     def __init__(self, given: Mapping[str, Any], times: np.ndarray | None = None):
         self.given, self.times = given, times
-        self.count = 0
         self.member(np.zeros(0))
 
     def member(self, shares: np.ndarray) -> dict[str, Any]:
@@ -83,7 +82,7 @@ class Search:
     ):
         """Take a function that returns runs, and what `margins_along` takes of these."""
         self.run, self.specs, self.members, self.of = run, specs, members, of
-        self.best: tuple[float, np.ndarray, float] | None = None
+        self.best = np.inf, np.zeros(0), 0.0  # least margin, shares, and time
         self.runs = self.ended = 0
         self.without: dict[str, None] = {}  # sentences on what has no margin
 
@@ -106,7 +105,7 @@ class Search:
                 )
         lows = [np.nanmin(m, initial=np.inf) for m in margins]
         least = float(min(lows))
-        if self.best is None or least < self.best[0]:
+        if least < self.best[0]:
             row = np.nan_to_num(margins[int(np.argmin(lows))], nan=np.inf)
             self.best = least, shares, float(self.of[0][int(np.argmin(row))])
         return least
@@ -116,9 +115,8 @@ class Search:
         for shares in self.members.corners(rng):
             if self.at(shares) < 0.0 or self.ended > MOST_ENDED:
                 return
-        step = 0.5 if self.best is not None and np.isfinite(self.best[0]) else 0.0
+        step = 0.5 if np.isfinite(self.best[0]) else 0.0
         while self.members.count and step > 0.01 and self.runs < MOST_RUNS:
-            assert self.best is not None
             least, at, _ = self.best
             for k in rng.permutation(self.members.count):
                 for sign in (-1.0, 1.0):
