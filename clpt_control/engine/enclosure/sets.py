@@ -185,11 +185,11 @@ class Enclosure:
         box = around_both(within(self._box(x, G), hull), x)
         try:
             with suppress(Switching):
-                J = series.evaluate(t, box, self.P, noisy=True)[:, 0, 1:]
+                J = self._noisy(series, t, box)[:, 1:]
             if series.why:  # lines in the place of decisions
                 self._plain(series, t, box)
                 series.held = series.lines
-                J = series.evaluate(t, box, self.P, noisy=True)[:, 0, 1:]
+                J = self._noisy(series, t, box)[:, 1:]
             y = series.evaluate(t, x, exact(self.P.c))[:, 0, 0]
         except Undecided:  # a line may leave where a function has a value
             y = self._plain(series, t, box)
@@ -206,6 +206,10 @@ class Enclosure:
         t = exact(self.t)
         plain = self._plain(self.leaps, t, self._hull)
         self._put(*self._image(self.leaps, t, *self._set, self.walls), plain)
+
+    def _noisy(self, series: SetSeries, t: Ball, box: Ball) -> Ball:
+        """Return values on a box with noise, their derivatives, and what noise adds."""
+        return series.evaluate(t, box, self.P, noisy=True)[:, 0]
 
     def _plain(self, series: SetSeries, t: Ball, box: Ball) -> Ball:
         """Return values on a box, of both sides of switches, with noise."""
@@ -286,7 +290,7 @@ class Enclosure:
         t, box = self.t, self._hull
         self._plain(self.rates, exact(t), box)
         self._hold(self.rates.lines)
-        d = self.rates.evaluate(exact(t), box, self.P, noisy=True)[:, 0, -1].size
+        d = self._noisy(self.rates, exact(t), box)[:, -1].size
         new = min(t + min(2.0 * self.h, LONGEST * self.span), end)
         while (h := float(moved(t, new).upper)) > least:
             try:
@@ -309,7 +313,7 @@ class Enclosure:
         n = self.n
         reach = 1e-6 * h * h if has_lines else REACH  # a root grows from 0
         B = self._picard(time, h, reach, has_lines)
-        found = self.rates.evaluate(time, B, self.P, noisy=True)[:, 0]
+        found = self._noisy(self.rates, time, B)
         slopes, d = found[:, 1:], found[:, -1].size
         J = slopes[:, :n].size
         J[np.diag_indices(n)] = np.diag(slopes[:, :n].upper)
@@ -331,7 +335,7 @@ class Enclosure:
         if beside:
             d, shortest = beside[1], 0.0
         elif self.is_noisy:  # an error if the box itself straddles a switch
-            d = self.rates.evaluate(exact(t), box, self.P, noisy=True)[:, 0, -1].size
+            d = self._noisy(self.rates, exact(t), box)[:, -1].size
         longest = end - t if beside else max(LARGER * self.h, least)
         h, allowed = step_length(F, box, min(longest, end - t), least)
         # 2. a box that holds all runs
@@ -546,7 +550,7 @@ class Enclosure:
             found = self._plain(self.rates, time, B)
             if has_lines:
                 self._hold(self.rates.lines)
-                held = self.rates.evaluate(time, B, self.P, noisy=True)[:, 0, 0]
+                held = self._noisy(self.rates, time, B)[:, 0]
                 found = around_both(found, held)
             needed = balls.add(box, balls.mul(during, found))
             if np.all((needed.lower > B.lower) & (needed.upper < B.upper)):
