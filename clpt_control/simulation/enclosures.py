@@ -431,7 +431,7 @@ def names_of(made: DiagramRun, signals: SetProgram) -> list[str]:
         known = dict(zip(states, signals.x, strict=True))
     others = [name for name in outputs if name not in known]
     signals.results = [values[name] for name in others]
-    names = [*states, *others]
+    names = states + others
     # a row x[0] stands for x alone
     ports = [name.rpartition("[")[0] for name in names]
     reserved = {*names, "time", "state", "states"}

@@ -175,7 +175,7 @@ class SensitivityRun(DiagramRun):
             wrong, largest = self._wrong_signals(values, change, derivatives * size)
             if wrong.any():
                 k = int(np.argmax(wrong))
-                label = [*self.output_labels, *self.states][k]
+                label = (self.output_labels + self.states)[k]
                 reason = (
                     f"a function jumps where the run crosses something that moves with it (look in "
                     f"{', '.join(self.jumping)}). Make the jump steep but smooth, such as "

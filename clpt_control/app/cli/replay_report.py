@@ -182,7 +182,7 @@ def results(summary: Report) -> list[Result]:
     from ...ocean.forecast import replay_summary, table_rows
 
     rows = summary["each_dive"]
-    sentences = [*replay_summary.remarks(summary), *replay_summary.coming(summary)]
+    sentences = replay_summary.remarks(summary) + replay_summary.coming(summary)
     if paste := summary.get("paste"):
         sentences += [f"to paste, {paste['file']}:", paste["text"].rstrip()]
     if not rows:

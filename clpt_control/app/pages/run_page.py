@@ -79,7 +79,7 @@ def run_page(run: Dataset, system: Scenario | Team, title: str) -> Page:
         "Section IV of the paper" if paper else kind,
         title,
         [results.asked(system, waypoints)],
-        [*_ended(run), *_warnings(run, scenario, numbers)],
+        _ended(run) + _warnings(run, scenario, numbers),
         [
             *sections,
             *figure_sections(run, system),

@@ -286,7 +286,7 @@ class DiagramRecord(RecordMerger):
     def lock(self, **options: Any) -> list[Port]:
         """Return the rates with locked decisions; those of guards are locked as well."""
         margins = [Port(0, (), (), guard.now) for guard in self.guards]
-        locked = self.decisions.lock([*self.rates, *margins], **options)
+        locked = self.decisions.lock(self.rates + margins, **options)
         for k, port in enumerate(locked[len(self.rates) :]):
             self.guards[k] = self.guards[k]._replace(distance=port.ref)
         return locked[: len(self.rates)]

@@ -271,7 +271,7 @@ def flow_of_legs(
     estimator.turn = 0.0 if method == "tomography" else max(turns)
     if is_run:
         estimator.ways = []  # whose motion is its own
-    notes = [*estimator.warnings, *notes, *refused]
+    notes = estimator.warnings + notes + refused
     frame, _ = estimator.under_way
     flow = [
         flow_by(estimator, theta / speed, r.time, r.latitude, r.longitude)

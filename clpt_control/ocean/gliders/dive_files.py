@@ -288,7 +288,7 @@ def read_dives(
     if not usable:
         return dives, skipped
     used, unused = usable_dives.usable(dives, least_duration)
-    return used, [*skipped, *unused]
+    return used, skipped + unused
 
 
 def read_all_dives(
@@ -343,7 +343,7 @@ def read_legs(
     )
     if not used:
         raise DataError(f"{path}: no usable leg. First reason: {unused[0].why}")
-    return used, [*skipped, *unused]
+    return used, skipped + unused
 
 
 def is_log_file(path: AnyPath) -> bool:

@@ -108,7 +108,7 @@ def unflagged(data: xarray.Dataset) -> tuple[xarray.Dataset, list[str]]:
     notes = list[str]()
     names = [name for name in map(str, data.variables) if READ.search(name)]
     flags = [name for name in map(str, data.variables) if IS_FLAG.search(name.lower())]
-    few = data[[*names, *flags]]  # of hundreds of variables
+    few = data[names + flags]  # of hundreds of variables
     for name in names:
         values, flagged = without_flagged(few, [name], is_fix="GPS" in name.upper())
         if flagged:
