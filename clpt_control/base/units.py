@@ -36,15 +36,13 @@ WORDS = {  # also in the plural
         for long, short in PREFIXES.items()
         for unit in UNITS
     },
-    **{
-        "sec": "s",
-        "minute": "min",
-        "hr": "h",
-        "hour": "h",
-        "day": "d",
-        "kt": "knot",
-        "kn": "knot",
-    },
+    "sec": "s",
+    "minute": "min",
+    "hr": "h",
+    "hour": "h",
+    "day": "d",
+    "kt": "knot",
+    "kn": "knot",
 }
 
 

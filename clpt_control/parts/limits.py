@@ -252,7 +252,7 @@ def rate_limit(
     """
     rates = checked_sizes(name, signals, rise=rise, fall=rise if fall is None else fall)
     step = limited_step if dt is None else with_constants(limited_step, dt=dt)
-    values = {**rates, **lag_parameter(name, lag, dt)}
+    values = rates | lag_parameter(name, lag, dt)
     rules = [positive("rise", "fall", "lag")]
     return following_block(name, ports, values, signals, rules, limited_rate, step, dt)
 
@@ -316,7 +316,7 @@ def backlash(
     [0.0, 0.5, 1.5, 1.5, 1.5, 0.5]
     """
     width_of_gap = checked_sizes(name, signals, width=width)
-    values = {**width_of_gap, **lag_parameter(name, lag, dt)}
+    values = width_of_gap | lag_parameter(name, lag, dt)
     rules = [positive("width", "lag")]
     return following_block(name, ports, values, signals, rules, gap_closed, play, dt)
 
@@ -404,7 +404,7 @@ def relay(
     return signal_block(
         name,
         ports,
-        {**values, **lag_parameter(name, lag, dt)},
+        values | lag_parameter(name, lag, dt),
         signals,
         rules=[check_outputs, ordered("off", "on"), positive("lag")],
         update=switched if lag is None else trigger,

@@ -44,7 +44,7 @@ def state_columns(blocks: Iterable[Part]) -> dict[str, slice]:
             else:
                 label = f"{name}.{port}" if port in STARTS.values() else port
                 hidden.setdefault(label, column)
-    return {**hidden, **signals}
+    return hidden | signals
 
 
 def _is_signal(block: Part, port: str, size: int) -> bool:

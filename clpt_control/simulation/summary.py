@@ -84,7 +84,7 @@ def run_and_report(
         indices = nearest(reached, run_times)
     run = dense.isel(time=indices) if plain is None else plain
     fine = dense.isel(time=nearest(reached, even_times))
-    summary = {**ending_of(system, run), **figures_of(system, run, fine, dense)}
+    summary = ending_of(system, run) | figures_of(system, run, fine, dense)
     run.attrs[SUMMARY] = json.dumps(summary)
     return RunReport(run, fine, summary)
 

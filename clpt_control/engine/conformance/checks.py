@@ -220,7 +220,7 @@ def unit_check(
 def _unit_failures(
     block: Block, samples: list[Sample], units: Mapping[str, str]
 ) -> Iterator[str]:
-    ports = {**block.input_ports, **block.state_ports, **block.output_ports}
+    ports = block.input_ports | block.state_ports | block.output_ports
     fields = [
         name
         for name, value in block.parameters._asdict().items()

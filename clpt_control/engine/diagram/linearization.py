@@ -315,7 +315,7 @@ def _linearized(
         jumps = np.zeros_like(AB)
         for position, values in about.sampled_values(blocks):
             jumps[position] = about.slopes([values])
-        checked = {**signals, **rates}
+        checked = signals | rates
         about.check(checked)
         for (name, _), level in about.record.levels.items():
             if about.is_at_level(level):

@@ -109,7 +109,7 @@ class Equations:
     @cached_property
     def named(self) -> dict[str, np.ndarray]:
         """All signals, inputs, states and parameters, by name."""
-        return {**self.fields, **self.signals, **self.inputs, **self.states}
+        return self.fields | self.signals | self.inputs | self.states
 
     @cached_property
     def motion(self) -> dict[Any, sympy.Expr]:

@@ -75,7 +75,7 @@ class Sampled(Block):
         self.stepped = inner.dt == 0  # by Euler's step
         inputs = inner.declared["inputs"]
         held_inputs = {HELD + port: shape for port, shape in inputs.items()}
-        states = {**inner.declared["states"], **held_inputs}
+        states = inner.declared["states"] | held_inputs
         super().__init__(
             inner.name,
             update=other_equations if states else None,

@@ -257,7 +257,7 @@ class Mutable:
             return ""
         before = dict(zip(expected.keys, expected.items, strict=True))
         after = dict(zip(now.keys, now.items, strict=True))
-        for key in {**after, **before}:
+        for key in after | before:
             is_unchanged = _is_same(after.get(key, UNBOUND), before.get(key, UNBOUND))
             if not is_unchanged and key not in self.ignored:
                 return (

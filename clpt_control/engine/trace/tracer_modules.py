@@ -353,7 +353,7 @@ BUILTIN_FUNCTIONS: dict[str, Any] = {
     "print": printed,
     **({"sum": compensated} if sys.version_info >= (3, 12) else {}),
 }
-BUILTINS: dict[str, Any] = {**vars(builtins), **BUILTIN_FUNCTIONS}
+BUILTINS: dict[str, Any] = vars(builtins) | BUILTIN_FUNCTIONS
 
 
 # --- NumPy --------------------------------------------------------------------------------------

@@ -96,7 +96,7 @@ def layers_of(report: Report) -> dict[str, list[Feature]]:
     dives = report["each_dive"]
     ahead = report.get("next_dive")
     stays = [
-        {**row, **placed("before_", *place_in(before, "end_"))}
+        row | placed("before_", *place_in(before, "end_"))
         for before, row in pairwise(dives)
     ]
     forecasts = [row | row["forecast"] for row in dives if row["forecast"] is not None]

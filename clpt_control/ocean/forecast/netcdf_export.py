@@ -155,7 +155,7 @@ def dataset_of(replay: Source) -> xarray.Dataset:
                 "flag_meanings": "unknown no yes",
             }
             values = np.array(column.fillna(-1), np.int8)
-            data[name] = ("dive", values, {**attributes, **flags})
+            data[name] = ("dive", values, attributes | flags)
         elif column.dtype == float and column.notna().any():
             attributes["units"] = units_of(name)
             if name in STANDARD:
@@ -172,7 +172,7 @@ def dataset_of(replay: Source) -> xarray.Dataset:
             "long_name": f"{name.replace('_', ' ')} of the next surfacing, as forecast"
         }
         attributes_of_next = time if name == "time" else {"units": units_of(name)}
-        data[f"next_{name}"] = ((), value, {**attributes_of_next, **long_name})
+        data[f"next_{name}"] = ((), value, attributes_of_next | long_name)
     words = "all that was found, as JSON: what clpt replay --json prints"
     return data.assign(
         {SUMMARY: ((), json.dumps(report, allow_nan=False), {"long_name": words})}

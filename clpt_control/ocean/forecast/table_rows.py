@@ -353,4 +353,4 @@ def cells_ahead(ahead: Row) -> dict[str, str]:
         "ended (UTC)": date(ahead["time"]),
         ELLIPSE: _ellipse(ahead),
     }
-    return {**dict.fromkeys(COLUMNS, ""), **known_cells}
+    return dict.fromkeys(COLUMNS, "") | known_cells

@@ -277,7 +277,7 @@ def _merged(common: Nested, member_tables: Nested) -> Nested:
         before = tables.get(table)
         if isinstance(values, dict) and isinstance(before, dict):
             replaced = table == "reference" and "kind" in values
-            values = values if replaced else {**before, **values}
+            values = values if replaced else before | values
         tables[table] = values
     return tables
 

@@ -133,7 +133,7 @@ def error_system_of(verdict: Any, names: Sequence[str], run: Any) -> ErrorSystem
     inputs = [f for values in eq.inputs.values() for f in values.flat]
     _, given = run.encoding[DIAGRAM].request.inputs.samples
     still = {f: 0 for f, values in zip(inputs, given, strict=True) if not values.any()}
-    numbers = {**eq.values, **still}
+    numbers = eq.values | still
     rates = {s: sympy.sympify(x).xreplace(numbers) for s, x in eq.motion.items()}
     # Step 2: V is quadratic; its states are those of e and of th
     states = [*rates]

@@ -237,7 +237,7 @@ def _block_of_signals(
     for block in loop.syslist[:-1]:  # the last one is V
         shapes |= block.declared["outputs"]
     shapes |= {"phi_x": ("N",), "phi_z": ("N",), "zc": (2,)}
-    parameters = {**law.parameters._asdict(), **truth._asdict()}
+    parameters = law.parameters._asdict() | truth._asdict()
 
     def candidate(ports: Mapping[str, tuple], fields: Mapping[str, Any]) -> Block:
         return Block(

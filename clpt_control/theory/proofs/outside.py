@@ -53,7 +53,7 @@ class Motion:
         self.inputs = {f: Dummy(str(f.func), real=True) for f in functions}
         rates = {f.diff(TIME): Dummy(f"{f.func}'", real=True) for f in functions}
         self.input_rates = set(rates.values())
-        self.still = {**rates, **self.inputs}
+        self.still = rates | self.inputs
         self.rates = {s: self.quiet(rate) for s, rate in self.rates.items()}
 
     @property
