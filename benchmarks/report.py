@@ -36,7 +36,7 @@ MODELS = """
 
 rtol 1e-8, atol 1e-10 (the long orbit 1e-15), median time of a run in ms and error at the end.
 Series: the machine code of `method="taylor"` with arrays that are ready, as heyoka's; `prepare`
-takes some 30 us more, for checks.
+takes 30 us more.
 
 """
 PARTICLES = """

@@ -54,7 +54,10 @@ UNKNOWN = 0.01  # share of a leg of which the displacement may be unknown
 LEAST_UNKNOWN = 5.0  # s
 ARRAYS = ("theta", "P")  # of a guess
 # of an estimator
-PLAIN = "legs fastest turn told ways rows water fixes seen computed".split()
+PLAIN = [
+    *("legs", "fastest", "turn", "told", "ways", "rows"),
+    *("water", "fixes", "seen", "computed"),
+]
 SAME = 1e-6  # of a width, by which a track may be off for the same phi
 EARLIER = 1e-3  # s by which a time may be before the last one, by rounding
 # first words of a saved file, before its checksum
