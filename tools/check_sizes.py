@@ -1,4 +1,4 @@
-"""Sizes of the package: tokens of each folder, lines of each file, files at the top.
+"""Sizes: tokens of each folder, lines of each file, files at the top, words and lines of documents.
 
 `make lint` runs this script. It prints a line for each folder or file that outgrew its size
 and ends with status 1. `python tools/check_sizes.py --write` sets the table `folder_sizes.txt`.
@@ -16,6 +16,8 @@ PACKAGE = Path(__file__).parents[1] / "clpt_control"
 TABLE = Path(__file__).parent / "folder_sizes.txt"
 LONGEST_FILE = 450  # lines of code
 FILES_AT_THE_TOP = 7
+WORDS_OF_DOCS = 30_000
+LINES = {"README.md": 130, "CONTRIBUTING.md": 150}
 HELP = "CONTRIBUTING.md, Size"
 LAID_OUT = {
     *(tokenize.COMMENT, tokenize.NL, tokenize.NEWLINE, tokenize.INDENT),
@@ -74,6 +76,13 @@ def outgrown() -> list[str]:
             sentences.append(f"folder {folder} grew by {grown} tokens, to {count}")
     if (files := len([*PACKAGE.glob("*.py")])) > FILES_AT_THE_TOP:
         sentences.append(f"{PACKAGE.name} has {files} files, of {FILES_AT_THE_TOP}")
+    root = PACKAGE.parent
+    pages = [path.read_text("utf-8") for path in root.glob("docs/**/*.md")]
+    if (words := sum(len(page.split()) for page in pages)) > WORDS_OF_DOCS:
+        sentences.append(f"docs has {words} words, of {WORDS_OF_DOCS}")
+    for name, most in LINES.items():
+        if (lines := len((root / name).read_text("utf-8").splitlines())) > most:
+            sentences.append(f"{name} has {lines} lines, of {most}")
     return sentences
 
 

@@ -1,6 +1,6 @@
 """List of all error messages of the package: tests/messages.md, to be read on one page.
 
-A message is the text of a `raise` of one of the package's errors, with its values as {NAMES}.
+A message is the text of one of the package's errors where it is made, with its values as {NAMES}.
 `tests/test_messages.py` checks that the page is current; print it anew by
 
     python tools/print_messages.py
@@ -46,11 +46,10 @@ def text_of(node: ast.AST) -> str:
 def messages_in(path: Path) -> Iterator[str]:
     """Return the messages of a file, in their order."""
     for node in ast.walk(ast.parse(path.read_text("utf-8"))):
-        call = node.exc if isinstance(node, ast.Raise) else None
-        if not (isinstance(call, ast.Call) and isinstance(call.func, ast.Name)):
+        if not (isinstance(node, ast.Call) and isinstance(node.func, ast.Name)):
             continue
-        if call.func.id in ERRORS and call.args:
-            yield " ".join(text_of(call.args[0]).split())
+        if node.func.id in ERRORS and node.args:
+            yield " ".join(text_of(node.args[0]).split())
 
 
 def page() -> str:

@@ -543,6 +543,7 @@ def check_known(argument: str, given: Iterable[str], names: Collection[str]) -> 
 
 def nearest(name: str, names: Iterable[str]) -> str:
     """Return the most similar name, also without the block before it, or ""."""
+    name = str(name)  # a key may be a number
     candidates, last = [*names], name.rpartition(".")[2]
     if last in candidates:
         return last

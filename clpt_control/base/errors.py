@@ -1,4 +1,4 @@
-"""Errors that a user can cause, each with one sentence.
+"""Errors that a user can cause, each with one sentence, and imports of optional packages.
 
 Every error that a user can cause is a `ClptError`.  Its text names the file or argument, its value,
 what is allowed and what to try.  The command line prints that sentence and ends with status 2, or

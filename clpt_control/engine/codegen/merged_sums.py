@@ -4,7 +4,8 @@
 
 These three cancel, so phi(z) is not computed.  The function of a single block is computed as its
 author wrote it: terms cancel only if they come from different blocks, and a coefficient without
-cancelled terms does not change.
+cancelled terms does not change.  Sums over one axis are merged where a costly factor is then
+computed once.
 """
 
 from .diagram_record import WIRE, Ref

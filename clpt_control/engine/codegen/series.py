@@ -1,9 +1,10 @@
-"""Coefficients of Taylor series, from the components of a program's rates.
+"""Printer of Taylor series: LLVM text of coefficients, from the components of a program's rates.
 
     x(t + s tau) = x + sum a_k tau^k,    a_k = s/k (coefficient k - 1 of the rates),  k = 1 ... p
 
 Each smooth operation has a recurrence of its coefficients in the table of operations
-(`operations.Recurrence`), a power its own here.  s is the scale of a step.
+(`operations.Recurrence`), a power its own here.  s is the scale of a step, which what is divided by
+limits.  A `Node` may also be computed on balls, as guaranteed runs do.
 """
 
 from collections.abc import Callable, Iterable

@@ -8,7 +8,7 @@
 | `fix_quality`, `gps_quality` (NMEA GGA) | 1 to 5, 9 | 0, 6 estimated, 7 manual, 8 simulator |
 | `status`, `gps_status` (NMEA RMC) | A, D, P, R, F, OK, fix | V, E, M, N, S, dead reckoning |
 | `status.status` (ROS) | 0 or more | -1 |
-| `position_qc`, `lat_quality_control`, `qc_lon` | 0 to 2, 5 to 7, good | 3, 4, 8, 9, bad |
+| `position_qc`, `lat_quality_control`, `qc_lon` | 0 to 2, 5 to 7, good | 3, 4, 8, 9, bad, suspect |
 | `sats`, `num_satellites` | 3 or more | 0 to 2 |
 | `hdop`, `pdop` | below 20 | 0, 20 or more |
 
@@ -25,6 +25,7 @@ from pandas import DataFrame, Series
 
 from ...base.errors import DataError
 from ...base.units import number
+from ...paper.currents.flags import RIGHT, WRONG
 from .dive_fields import NO_VALUE
 
 
@@ -39,8 +40,11 @@ class Marks(NamedTuple):
 GPS = "(gps|gnss|nav|rmc|fix|position|pos|location)_?"
 PLACE = "(lat(itude)?|lon(g|gitude)?|position|pos|location|gps|gnss|fix|time)"
 # words of any of these columns
-MEASURED = "valid|ok|good|fix|g(ps|nss).*"
-COMPUTED = "dr|dead.?reckon.*|estimated|interpolated|ins|imu|bad|invalid|none|no.?(fix|gps)|void"
+MEASURED = f"(probably.?)?({RIGHT})|fix|g(ps|nss).*"
+COMPUTED = (
+    "dr|dead.?reckon.*|estimated|interpolated|ins|imu|none|no.?(fix|gps)|void|"
+    rf"(?!no\b|no_).*({WRONG}).*"
+)
 QC = "(qc|quality_?control|quality(_?flag)?|flags?|qartod)"
 MARKS = (
     Marks(

@@ -1,9 +1,10 @@
-"""Sign of an expression: proofs that it is never positive.
+"""Sign of an expression: proofs that it is never positive, and expressions that bound it.
 
 `never_positive` is the entry.  It first looks for a random point at which the expression is
 positive.  Then groups of terms that share no variable are tested one by one (`GROUP_TESTS`):
 factors, forms -s^T M s with M >= 0, roots, sectors and pieces of functions.  At last it tries
-completed squares, common factors and intervals of the whole expression.
+completed squares, common factors and intervals of the whole expression.  `without_choices` and
+`without_fading` return simpler upper bounds of a loss.
 """
 
 from collections.abc import Iterable
