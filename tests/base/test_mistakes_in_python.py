@@ -75,7 +75,7 @@ clpt.simulate(BLOW_UP, [0, 2], 0.0, [1.0]) -> x[0] of block up has grown to
 clpt.simulate(BLOW_UP, [0, 2], 0.0, [1.0, 2.0]) -> must have 1 finite number; it has shape (2,)
 clpt.Block("b", update=print, states=["x"]) -> by name or None, such as {'x': 1}
 clpt.fit_parameters(parts.lag(1), {"y": [0.0, 0.1]}, {"gain": 1.0}, [0, 1]) -> Did you mean 'lag.gain'?
-clpt.fit_parameters(parts.lag(1), {1: [0.0, 0.1]}, {"lag.gain": 1.0}, [0, 1]) -> has no output '1'
+clpt.fit_parameters(parts.lag(1), {1: [0.0, 0.1]}, {"lag.gain": 1.0}, [0, 1]) -> data: 1 is not an output
 clpt.run_ensemble(PEN, {"pen.d": [0.4, 0.6]}, 100, timepts=[0, 1]) -> A range is '0.4:0.6'
 clpt.fit_parameters(PEN, None, ["d"]) -> must be a dict of values by name, such as {'k': (start, low, high)}
 parts.lag(INF) -> lag: lag = inf: must be finite
