@@ -216,6 +216,8 @@ def shift_of(lines: Sequence[Operation], ref: Ref) -> float | None:
 
     if is_time(ref):
         return 0.0
+    if type(ref) is not int:  # a number, such as an input without a wire
+        return None
     kind, arguments, *_ = lines[ref]
     if kind not in ("add", "sub") or not is_time(arguments[0]):
         return None

@@ -26,7 +26,7 @@ from bisect import bisect_right
 from collections.abc import Iterator
 from dataclasses import replace
 from itertools import chain
-from math import atan2, degrees, hypot, isnan, nan
+from math import atan2, degrees, hypot, isnan, nan, pi
 from pathlib import Path
 from typing import Any
 
@@ -34,7 +34,7 @@ import numpy as np
 from pandas import DataFrame, Series, to_numeric
 
 from ...base.errors import DataError
-from .dive_fields import GIVE, HEADINGS, TIME, name_of
+from .dive_fields import GIVE, HEADINGS, RADIAN, TIME, name_of
 from .dives import (
     COLUMNS,
     FASTEST,
@@ -77,6 +77,8 @@ OF_OTHER_ROWS = (
     "the motion of each row looks like that of the row behind. Move it down by one row",
     "displacements look like those since the last fix. Give those since the row before",
 )
+ROUNDED_TURN = 360.01  # degrees: 2 pi to four digits is more than a turn
+MANY = 10  # courses
 FEWEST_LEGS, CLEAR = 8, 0.2  # of the variance: a log-likelihood ratio above 1e5
 NO_MOTION = (
     "the table has fixes without the motion through the water. Give columns course (degrees) and "
@@ -172,6 +174,12 @@ def log_legs(text: str, path: Path, every_row: bool = False) -> DivesOrSkipped:
     for name in {"course", "yaw"} & {*columns}:
         column, size = columns[name]
         angles = to_numeric(cells.iloc[:, column], errors="coerce") * size
+        has_unit = _name_and_unit(cells.columns[column])[1]
+        if name == "course" and not has_unit and _look_like_radians(angles):
+            raise DataError(
+                f"{path}: {cells.columns[column]} has only numbers within 2 pi, which look like "
+                "radians. Name the column course (rad), or course (deg) if they are degrees"
+            )
         is_none = _repeats_outside(angles)
         if is_none.any():
             which = ", ".join(f"{angle:.7g}" for angle in angles[is_none].unique())
@@ -221,13 +229,19 @@ def log_legs(text: str, path: Path, every_row: bool = False) -> DivesOrSkipped:
     return [replace(row, **changes) if isinstance(row, Dive) else row for row in legs]
 
 
+def _look_like_radians(angles: Series) -> bool:
+    """Return whether many courses are all within a turn of radians, and spread over half of it."""
+    is_small = angles.abs().max() <= ROUNDED_TURN / RADIAN
+    return bool(is_small and np.ptp(angles.dropna()) > pi and angles.nunique() >= MANY)
+
+
 def _repeats_outside(angles: Series) -> Series:
     """Return the angles (degrees) that mean none: one number or two beyond the turn of the others.
 
     >>> _repeats_outside(Series([375.4879, 10.0, 375.4879, 350.0])).tolist()
     [True, False, True, False]
     """
-    turns = angles.between(0.0, 360.0), angles.between(-180.0, 180.0)
+    turns = angles.between(0.0, ROUNDED_TURN), angles.between(-180.0, 180.0)
     outside = angles.between(*HEADINGS) & ~max(turns, key=Series.sum)
     counts = angles[outside].value_counts()
     return outside & (len(counts) <= 2) & (counts.min() > 1)

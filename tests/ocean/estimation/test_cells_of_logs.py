@@ -243,3 +243,32 @@ def test_motion_of_other_rows_is_named(tmp_path, head, cells, said):
 def test_motion_of_the_own_row_is_read(tmp_path):
     check(tmp_path, text_of(STEERED, lambda row: row[:5]))
     check(tmp_path, text_of(RECKONED, lambda row: (*row[:3], *row[5:])))
+
+
+# --- radians --------------------------------------------------------------------------------------
+
+
+def in_radians(row):
+    return (*row[:3], f"{np.radians(row[3]):.4f}", row[4])
+
+
+def test_courses_in_radians_say_so_in_their_column(tmp_path):
+    text = text_of(STEERED, in_radians)
+    (tmp_path / "log.csv").write_text(text)
+    said = r"course has only numbers within 2 pi.* Name the column course \(rad\)"
+    refuses(said, read_dives, tmp_path / "log.csv")
+    check(tmp_path, text.replace("course", "course (rad)"))
+
+
+def test_a_turn_rounded_up_in_radians_is_north(tmp_path):
+    texts = [
+        text_of(head, lambda row, north=north: (*row[:3], north, row[4]))
+        for head, north in (
+            (STEERED.replace("course", "course (rad)"), 6.2832),
+            (STEERED, 0),
+        )
+    ]
+    rounded, exact = (currents_of(tmp_path, text) for text in texts)
+    assert len(rounded[0]) == 12
+    np.testing.assert_allclose(rounded[0], exact[0], atol=1e-4)
+    assert not any("read as none" in why for why in rounded[1])
