@@ -47,6 +47,7 @@ TOLERANCE = 1e-10  # of least squares
 EXACT = 1e-6  # residuals that errors of integration may make, relative to the data
 CONSTANT = 1e-12  # spread of data that do not change, relative to them
 SMALLEST = 1e-300  # sum of squares
+GAP = 5.0  # median steps between measurements over which a chart draws no line
 WHITE = 3.0  # largest lag-one correlation of noise, in standard deviations
 
 
@@ -159,10 +160,18 @@ class Fit:
             panels, self.outputs.items(), strict=True
         ):
             above.plot(output.times, output.measured, ".", color=GREY, label="data")
-            above.plot(output.times, output.modelled, color=BLUE, label="model")
+            steps = np.diff(output.times)
+            gaps = (
+                np.flatnonzero(steps > GAP * np.median(steps)) + 1
+            )  # no line over them
+            times, modelled, residuals = (
+                np.insert(np.asarray(of, float), gaps, np.nan)
+                for of in (output.times, output.modelled, output.residuals)
+            )
+            above.plot(times, modelled, color=BLUE, label="model")
             above.set_title(literal(named(name, output.units)), **TITLE)
             above.legend(frameon=False, fontsize=8)
-            below.plot(output.times, output.residuals, ".-", color=RED, linewidth=0.5)
+            below.plot(times, residuals, ".-", color=RED, linewidth=0.5)
             below.set(xlabel="time", ylabel="data - model")
         return axes
 

@@ -106,7 +106,8 @@ class _Learned:
         if self.date is None:
             start = {"long_name": "time since the start of the run", "units": unit}
             return times, ("time", times, start)
-        seconds = np.round(times * SECONDS[unit] * 1e9).astype("m8[ns]")
+        with np.errstate(invalid="ignore"):  # of times that are refused
+            seconds = np.round(times * SECONDS[unit] * 1e9).astype("m8[ns]")
         return times, ("time", np.datetime64(self.date, "ns") + seconds)
 
 
@@ -171,6 +172,11 @@ def map_of(
         columns = np.linspace(east[:, 0].max(), east[:, -1].min(), POINTS)
     rows = rows if latitude is None else _row("latitude", latitude)
     columns = columns if longitude is None else _row("longitude", longitude)
+    if learned.is_geographic and np.abs(rows).max() > 90.0:
+        raise ArgumentError(
+            f"latitude: {rows[np.abs(rows).argmax()]:g} is not from -90 to 90. Give latitudes, "
+            "then longitudes"
+        )
     times, time_axis = learned.times(time)
     latest, _ = learned.times(None)
     if np.any(np.abs(times) > AHEAD * latest):

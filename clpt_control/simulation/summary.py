@@ -159,7 +159,7 @@ def _vehicle_figures(
     vehicle = scenario.vehicle
     unknown = unknown_parts(run)
     if not {"basis_x", "true_flow"} & unknown and "delta" not in unknown:
-        figures["flow_error"] = flow_error(scenario, run)
+        figures["flow_error"] = flow_error(scenario, fine)
     if "flow_parameters" in run:
         theta = run.flow_parameters
         figures["max_flow_parameter_error"] = {

@@ -27,6 +27,7 @@ BLOW_UP = clpt.Block("up", update=lambda t, x, u, p: x.x**2, states={"x": 1})
 LIMITED = clpt.connect(
     [parts.saturation(-1, 1, y="u", u="c"), parts.lag(1)], external="c"
 )
+AT_SEA = clpt.simulate(SHORT.with_values({"origin": [36.7, -122.1]}))
 RUN = clpt.simulate(PEN, TIMES, 0.0, [1, 0])
 
 
@@ -136,6 +137,7 @@ clpt.export(PEN, params={"g": NAN}) -> params: g = nan: must be
 clpt.connect(PEN) -> must be a list of values, such as [plant, controller]
 clpt.flow_map(runs()["a"], lat=[0]) -> flow_map: lat= is not an argument. Did you mean 'latitude'?
 clpt.flow_map(runs()["a"], [0, NAN]) -> latitude = [0.0, nan]: must be finite; number 1 is nan
+clpt.flow_map(AT_SEA, [-121.9], [36.5]) -> latitude: -121.9 is not from -90 to 90. Give latitudes, then longitudes
 clpt.flow_map(runs()["a"], time=NAN) -> time = [nan]: must be finite; number 0 is nan
 clpt.flow_map(runs()["a"], time=1e9) -> time: must lie within 10 times the length of the run, 20 s. Give
 vary(out="a.nc") -> out = a.nc: is a folder, a Zarr store. Give a name such as a.zarr

@@ -328,6 +328,17 @@ MOVED = {"lookup_table.at": [0, 0.5, 1.5]}
 SLOW = 1 - np.exp(-1.0)
 
 
+def test_a_table_without_a_wire_reads_0():
+    table = parts.lookup_table([-1, 0, 1], [-2, 0.5, 2], u="command", y="force")
+    lag = control.ss(-1, 1, 1, 0, inputs="force", outputs="z", name="lag")
+    wires = [["lag.force", "lookup_table.force[0]"]]
+    loop = control.interconnect(
+        [lag, table], wires, outputs=["z"], inputs=[], check_unused=False
+    )
+    run = clpt.simulate(loop, [0, 1])
+    np.testing.assert_allclose(run.z, [0.0, 0.5 * SLOW], atol=1e-6)
+
+
 def test_a_call_may_move_the_points_of_a_table():
     """At u = 0.75 the table has 1 + 3/4; its slope there is 3."""
     at, u = {"params": MOVED}, 0.75

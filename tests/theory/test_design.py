@@ -354,3 +354,17 @@ def test_CLPE_of_a_design_is_that_of_clpt_run():
     run, late = run_and_report(scenario), learned(scenario, None)
     key = "clpe_rms_last_quarter"
     assert late.summary[key] == pytest.approx(run.summary[key], rel=0.01)
+
+
+@pytest.mark.parametrize("goal", ["law", "kappa"])
+def test_functions_out_of_reach_are_no_goal(two_places, goal):
+    far = {"centers": [[0, 0], [1e4, 0]], "widths": [1e9, 1.0], "phases": [0, 0]}
+    far |= {"kernel": "gaussian", "periods": [np.inf] * 2}
+    values = {"basis": far}
+    values |= {
+        f"{key}.parameters": [[0, 0]] * 2 for key in ("flow", "model", "learning")
+    }
+    scenario = two_places.with_values(values)
+    said = "no track within the limits shows all of them"
+    design = clpt.theory.design_track
+    says(clpt.ClptError, said, design, scenario, goal=goal, window=80.0)

@@ -15,7 +15,7 @@ import typer
 
 import clpt_control as clpt
 
-from ...base.errors import ClptError
+from ...base.errors import ClptError, refuse_unused
 from ...base.files import check_writable, make_folder, write_together
 from ...base.html import Result
 from ...base.progress import progress_bar
@@ -395,6 +395,10 @@ def tune(
         }
         tune_waypoints(scenario, out, search, figure, as_json)
         return
+    reason = "is of --waypoints. Give that too, or leave it out"
+    unused: dict[str, Any] = {"length": length, "max-speed": max_speed, "area": area}
+    unused |= {"window": window, "start": start, "figure": figure}
+    refuse_unused(reason, "--", **unused)
     from ...paper.scenario.file import load_vehicle_scenario
 
     experiment = load_vehicle_scenario(scenario)

@@ -162,14 +162,14 @@ def tune_waypoints(
 
 
 DESIGNED = {  # what of a track is said, by key
-    "smallest_eigenvalue": "smallest eigenvalue",
+    "learning_time": "time until no flow parameter is off by {level:.3g} {length}/{time} ({time})",
+    "error_at_end": "largest flow-parameter error at the end ({length}/{time})",
+    "smallest_eigenvalue": "smallest eigenvalue of the joint Gramian",
     "ceiling": "its upper bound for this motion of the vehicle",
     "of_the_run": "of the run with {law} (clpt excitation)",
     "closed_length": "closed length ({length})",
     "largest_speed": "largest speed through the water ({length}/{time})",
     "positions": "x1 from, to; x2 from, to ({length})",
-    "learning_time": "time until no flow parameter is off by {level:.3g} {length}/{time} ({time})",
-    "error_at_end": "largest flow-parameter error at the end ({length}/{time})",
     "clpe_rms_last_quarter": "CLPE rms, last quarter ({length})",
     "waypoints": "waypoints ({length})",
 }
@@ -185,8 +185,11 @@ def _result(report: Report) -> Result:
         for key, name in DESIGNED.items()
         if key != "ceiling" or tracks[1][key] is not None
     ]
+    goal = f"{report['law']} learns soonest"
+    if report["goal"] == "kappa":
+        goal = "the smallest eigenvalue is largest"
     title = (
-        f"Smallest eigenvalue of the joint Gramian over {report['start']:g} to "
+        f"Track on which {goal}; Gramian over {report['start']:g} to "
         f"{report['start'] + report['window']:g} {units['time']}, along {report['trajectory']}"
     )
     sentence = f"the best of {report['tracks_tried']} tracks"

@@ -51,6 +51,9 @@ if TYPE_CHECKING:
 MAX_WAYPOINTS = 200
 SAMPLES_PER_DWELL = 50  # for a smooth picture
 MAX_SAMPLES = 20_000
+ROUNDING = (
+    1e-12  # of an eigenvalue of the Gramian of functions of size 1, over the window
+)
 TENTH = 0.1  # default level, share of the initial error
 CLPE = "clpe_rms_last_quarter"
 GOALS = ("law", "kappa")
@@ -205,6 +208,13 @@ def design_track(
     # Step 2: search
     gains = linear_gains(scenario) if goal == "law" else None
     tracks, tracks_tried = best_waypoints(scenario, limits, span, seed, report, gains)
+    best = max(_measure(with_waypoints(scenario, track), span)[0] for track in tracks)
+    if best < ROUNDING * span[0]:
+        raise ScenarioError(
+            "flow.parameters: no track within the limits shows all of them: the smallest "
+            f"eigenvalue is at most {best:.1g}, rounding. Widen area or length, or leave out "
+            "functions that are out of reach"
+        )
     if goal == "kappa":
         tracks = tracks[:1]
     # Step 3: runs with the law

@@ -155,6 +155,7 @@ def _searched(
     system: control.NonlinearIOSystem,
     rest_state: Any,
     judged: Callable[[Expr], Verdict],
+    in_box: bool,
 ) -> Verdict:
     """Return the verdict on the best of the functions that are searched for."""
     best = None
@@ -178,7 +179,7 @@ def _searched(
         cause = f"the linear part{still} has the eigenvalue {number:.3g}"
         return Verdict("open", f"the rest is unstable: {cause}")
     message = f"no V was found{still} that is proved: give one, or a rest (at=) to search about"
-    return best or Verdict("open", message)
+    return best or Verdict("open", message + ", or a smaller box (within=)" * in_box)
 
 
 @public
@@ -323,7 +324,7 @@ def lyapunov(
         V = function_of_signals(system, V)
         claim = function_of_signals(system, claim)
         if not is_given:
-            return _searched(system, at, judged)
+            return _searched(system, at, judged, bool(within))
         verdict = judged(V)
         for name in where or {}:
             fewer = {key: ends for key, ends in (where or {}).items() if key != name}

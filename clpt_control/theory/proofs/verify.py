@@ -66,7 +66,8 @@ class RunVerdict(Judged):
     run : xarray.Dataset or None
         The run that violates the specification, or the closest one found.
     time, margin : float or None
-        Where the margin of that run is least; above 0 it holds.
+        Where boxes show that the run violates it, else where its margin is least; and the least
+        margin of the run, above 0 where the specification holds.
     tube : xarray.Dataset
         Boxes of the set, as `enclose` returns them.
     member : dict

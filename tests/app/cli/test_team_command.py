@@ -105,6 +105,7 @@ def test_a_mistake_is_one_sentence(refused_for):
         refused_for(
             [said], "tune", "paper.toml", "--waypoints", "--out", "new.toml", *words
         )
+    refused_for(["--area: is of --waypoints"], "tune", "paper.toml", "--area", *"0101")
 
 
 PAPER = clpt_control.paper_scenario()
