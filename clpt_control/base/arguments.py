@@ -80,6 +80,7 @@ EXAMPLES = {  # argument -> example for its message
     "scenario.with_values({'learning.law': 'sigma'}) takes a law by name",
     "insert": "{('v_x', 'vehicle'): lag}",
     "values": "{'learning.gain': 2.0}",
+    "V": "lambda s: s.x**2 + s.y**2",
 }
 # not in lists of arguments
 HIDDEN = {"self", "cls", "_cls", "ports", "options", "optional"}
@@ -99,12 +100,12 @@ OTHER_NAMES = {  # argument of python-control or SciPy -> ours, and the remedy
     "bounds": ("parameters", "Give parameters={'k': (start, low, high)}"),
     "ignore_errors": ("rtol", "Leave it out: a run that fails raises an error"),
 }
-MAKERS = {  # word of the allowed kinds -> remedy
+MAKERS = {  # word of the allowed kinds -> remedy; the first counts
+    "Dive": "clpt.gliders.read_dives('dives.csv')[0] is a list of dives",
     "Scenario": "clpt.load_scenario('mine.toml') reads a scenario's file",
     "Team": "clpt.load_scenario('team.toml') reads a team's file",
     "diagram": "clpt.closed_loop, clpt.connect or control.ss makes one",
     "Dataset": "clpt.simulate(scenario) makes a run, clpt.load_run('run.nc') reads one",
-    "Dive": "clpt.gliders.read_dives('dives.csv')[0] is a list of dives",
     "StateSpace": "control.ss(system) or clpt.linearize(system, x, u) makes one",
     "Block": "clpt.Block('gain', output=..., inputs={'u': 1}, outputs={'y': 1}) makes one",
 }
@@ -446,14 +447,13 @@ def brief(value: Any) -> str:
 
 def hint(argument: str, value: Any, allowed: str) -> str:
     """Return a remedy for the message, or ""."""
-    if argument in EXAMPLES:
-        return f", such as {EXAMPLES[argument]}"
+    example = EXAMPLES.get(argument, "")
+    if example and ("dict" in allowed or not example.startswith("{")):
+        return f", such as {example}"
     if isinstance(value, str) and "a list of texts" in allowed:
         return f". Give a list: [{value!r}]"
-    return next(
-        (f"; {MAKERS[word]}" for word in re.findall(NAME, allowed) if word in MAKERS),
-        "",
-    )
+    words = {word.removesuffix("s") for word in re.findall(NAME, allowed)}
+    return next((f"; {maker}" for word, maker in MAKERS.items() if word in words), "")
 
 
 def is_plain(value: Any) -> bool:

@@ -265,12 +265,13 @@ def _rows(
 ) -> list[Labelled]:
     """Return a row, a number or samples, for each signal; one number is the value of all."""
     values, times, *_ = signal
+    is_number = not values.ndim
     if values.ndim < 2:
         is_row = times is not None or values.shape == clock_times.shape != (count,)
         values = values.reshape((1, -1) if is_row else (-1, 1))
     if times is None and count == 1:
         values = values.reshape(1, -1)
-    if values.shape == (1, 1):
+    if is_number:
         values = np.repeat(values, count or 1, axis=0)
     if count is not None:
         check_rows(argument, values, count)

@@ -24,6 +24,7 @@ PEN = control.nlsys(
 PLANT = control.ss([[0, 1], [-1, -1]], [[0], [1]], [[1, 0]], 0, inputs="f", outputs="q")
 SHORT = clpt.paper_scenario().with_values({"run.duration": 20})
 BLOW_UP = clpt.Block("up", update=lambda t, x, u, p: x.x**2, states={"x": 1})
+TWO = parts.lag(1, signals=2)
 LIMITED = clpt.connect(
     [parts.saturation(-1, 1, y="u", u="c"), parts.lag(1)], external="c"
 )
@@ -76,6 +77,11 @@ clpt.simulate(BLOW_UP, [0, 2], 0.0, [1.0]) -> x[0] of block up has grown to
 clpt.simulate(BLOW_UP, [0, 2], 0.0, [1.0, 2.0]) -> must have 1 finite number; it has shape (2,)
 clpt.Block("b", update=print, states=["x"]) -> by name or None, such as {'x': 1}
 clpt.fit_parameters(parts.lag(1), {"y": [0.0, 0.1]}, {"gain": 1.0}, [0, 1]) -> Did you mean 'lag.gain'?
+clpt.simulate(TWO, TIMES, [2.0]) -> inputs: shape (1,): give (2,
+clpt.simulate(TWO, TIMES, {"u": [2.0]}) -> has 1 rows. Give 2, one per signal
+clpt.lyapunov(PEN, np.eye(2)) -> an Expr or None, such as lambda s: s.x**2 + s.y**2
+clpt.verify(PEN, [0, 1], None, [0, 0], within={"d": 0.1}, always="angle < 1") -> within = {'d': 0.1}: must be a number or None
+clpt.currents.flow_estimate("fixes.csv") -> clpt.gliders.read_dives('dives.csv')[0] is a list of dives
 clpt.fit_parameters(parts.lag(1), {1: [0.0, 0.1]}, {"lag.gain": 1.0}, [0, 1]) -> data: 1 is not an output
 clpt.run_ensemble(PEN, {"pen.d": [0.4, 0.6]}, 100, timepts=[0, 1]) -> A range is '0.4:0.6'
 clpt.fit_parameters(PEN, None, ["d"]) -> must be a dict of values by name, such as {'k': (start, low, high)}

@@ -123,7 +123,7 @@ def read_inputs(inputs: Any, times: ndarray, count: int) -> Inputs:
     samples = (count, len(times))
     if values.shape == samples or (count == 1 and values.shape == times.shape):
         return Inputs((times, values.reshape(samples)))
-    if values.shape not in {(), (1,), (count,)}:
+    if values.shape not in {(), (count,)}:
         raise SimulationError(
             f"inputs: shape {values.shape}: give ({count}, {len(times)}), inputs by times"
             + ("" if count else "; initial_state= is the start")

@@ -314,7 +314,7 @@ def read_all_dives(
         return dives, skipped
     if len(skipped) == len(files) == 1:
         raise DataError(skipped[0].why)
-    reason = skipped[0].why if skipped else "no dives"
+    reason = skipped[0].why if skipped else "no dives between two fixes"
     where = files[0] if len(files) == 1 else f"{len(files)} files"
     raise DataError(f"{where}: no dive. First reason: {reason}")
 

@@ -64,6 +64,8 @@ def tables_of(text: str, name: str) -> Nested:
         return tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         advice = ". A text has quotes" if "Invalid value" in str(error) else ""
+        if name.endswith(".csv"):
+            advice = ". `clpt estimate` and read_dives read tables of fixes"
         raise ScenarioError(f"{name}: is not valid TOML: {error}{advice}") from None
     except RecursionError:
         raise ScenarioError(
