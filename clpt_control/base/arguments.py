@@ -80,6 +80,7 @@ EXAMPLES = {  # argument -> example for its message
     "scenario.with_values({'learning.law': 'sigma'}) takes a law by name",
     "insert": "{('v_x', 'vehicle'): lag}",
     "values": "{'learning.gain': 2.0}",
+    "time": "1777593600.0, s since 1970 UTC",
     "V": "lambda s: s.x**2 + s.y**2",
 }
 # not in lists of arguments

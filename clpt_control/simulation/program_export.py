@@ -138,8 +138,9 @@ def export(
         return None
     if path is not None:
         path = Path(path)
-        endings = (".c", ".h") if part or single else (".c", ".h", ".fmu")
-        check_writable(path, "a program", endings)
+        is_plain = part is None and not single
+        kind = "a program" + " of a part or in single precision" * (not is_plain)
+        check_writable(path, kind, (".c", ".h", *(".fmu",) * is_plain))
     if part is None:
         file = c_file(system, initial_state, params)
     else:

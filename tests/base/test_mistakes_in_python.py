@@ -77,6 +77,12 @@ clpt.simulate(BLOW_UP, [0, 2], 0.0, [1.0]) -> x[0] of block up has grown to
 clpt.simulate(BLOW_UP, [0, 2], 0.0, [1.0, 2.0]) -> must have 1 finite number; it has shape (2,)
 clpt.Block("b", update=print, states=["x"]) -> by name or None, such as {'x': 1}
 clpt.fit_parameters(parts.lag(1), {"y": [0.0, 0.1]}, {"gain": 1.0}, [0, 1]) -> Did you mean 'lag.gain'?
+clpt.fit_parameters(PEN, __import__("pandas").DataFrame({"time": TIMES, "angle": ["low"] * len(TIMES)}), {"d": 1.0}) -> data: column 'angle' has texts. Give numbers
+clpt.verify(parts.lag(1), TIMES, 0, 0, params={"lag.gain": [0.4, 0.6]}, always="y < 1") -> is a pair, such as (0.8, 1.2)
+clpt.export(parts.lag(1), "lag.fmu", single=True) -> a program of a part or in single precision
+estimator().forecast([(3600.0, 0.0, 0.0)]) -> in s since 1970
+estimator().fix(np.datetime64("2026-05-02"), 36.7, -122.1) -> s since 1970 UTC
+SHORT.with_values({"learning.leak": 1.0}) -> did you mean learning.sigma.leak or switching_sigma.leak
 clpt.simulate(TWO, TIMES, [2.0]) -> inputs: shape (1,): give (2,
 clpt.simulate(TWO, TIMES, {"u": [2.0]}) -> has 1 rows. Give 2, one per signal
 clpt.lyapunov(PEN, np.eye(2)) -> an Expr or None, such as lambda s: s.x**2 + s.y**2

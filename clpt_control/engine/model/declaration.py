@@ -311,8 +311,11 @@ def checked_parameters(name: str, parameters: Any, like: Any = None) -> Paramete
         if np.shape(number) != shape or np.any(np.not_equal(number, number)):
             kind = "a whole number" if is_whole else "a number"
             kind = f"an array of shape {shape}" if shape else kind
+            advice = ""
+            if not shape and isinstance(value, list | tuple | str):
+                advice = ". A range of enclose or verify is a pair, such as (0.8, 1.2)"
             raise BlockError(
-                f"{name}.{field} = {brief(value)}: must be {kind}, without NaN or labels"
+                f"{name}.{field} = {brief(value)}: must be {kind}, without NaN or labels{advice}"
             )
         if shape:
             number.flags.writeable = False  # equations have no side effects

@@ -710,7 +710,7 @@ class FlowEstimator:
         if time < self.time - EARLIER:
             raise DataError(
                 f"time {time:.15g}: is before the last one, {self.time:.15g}. Give lines in the "
-                "order of time"
+                "order of time, in s since 1970"
             )
 
 

@@ -93,7 +93,8 @@ def cells_inside(axis: np.ndarray, span: tuple, where: str) -> np.ndarray:
     if len(inside) < 2:
         shortage = f"{len(inside)} of the 2 cells that are needed"
         raise DataError(
-            f"{where} has {shortage}; it goes from {axis.min():.6g} to {axis.max():.6g}"
+            f"{where} has {shortage}; it goes from {axis.min():.6g} to {axis.max():.6g}. Give a "
+            "box as south, north, west, east within it"
         )
     if not np.all(np.diff(axis[inside]) > SAME):
         raise DataError(

@@ -85,11 +85,19 @@ class Table(pydantic.BaseModel):
                     if any(tables_in(field.annotation))
                 }
                 fields = sorted(cls.model_fields, key=tables.__contains__)
-                names = [*reversed(cls.quantities()), *fields]
+                settings = [
+                    f"{name}.{setting}"
+                    for name, field in cls.model_fields.items()
+                    for table in tables_in(field.annotation)
+                    for setting in table.model_fields
+                ]
+                names = [*reversed(cls.quantities()), *settings, *fields]
                 by_end = {name.rpartition(".")[2]: name for name in names}
+                same = dict.fromkeys(n for n in settings if n.endswith(f".{key}"))
+                near = by_end.get(nearest(str(key), by_end), "")
                 details = {
                     "key": str(key),
-                    "close": by_end.get(nearest(str(key), by_end), ""),
+                    "close": " or ".join(same) or near,
                     "allowed": ", ".join(fields),
                     "other": call_time_hint,
                 }
