@@ -5,6 +5,7 @@
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
+from textwrap import fill
 from typing import TYPE_CHECKING, Any
 
 import control
@@ -32,6 +33,7 @@ if TYPE_CHECKING:
     import xarray
 
 MAX_PORTS = 16  # of a figure
+LONGEST_LINE = 22  # letters beside a panel
 MAX_LABELS = 6  # signals of a port in a legend
 STATES = "states"
 
@@ -180,7 +182,8 @@ def _draw_port(ax: Any, run: "xarray.Dataset", port: str) -> None:
     for k, (name, values) in enumerate(signals.items()):
         label = literal(name) if is_labelled else None
         ax.plot(time, values, label=label, linewidth=1.1, **line_style(k))
-    ax.set_ylabel(literal(label_of(port, run[port])))
+    label = fill(label_of(port, run[port]), LONGEST_LINE)
+    ax.set_ylabel(literal(label))
     if len(signals) > 1 and is_labelled:
         legend_above_data(ax)
 

@@ -17,15 +17,7 @@ import numpy as np
 
 from ...base.arguments import Positive, Seed, public
 from ...base.errors import ScenarioError
-from ...base.figures import (
-    BLUE,
-    GREY,
-    ORANGE,
-    TITLE,
-    axes_for,
-    legend_above_data,
-    legend_below,
-)
+from ...base.figures import BLUE, GREY, ORANGE, TITLE, axes_for, legend_below
 from ...paper.scenario.experiment import Scenario
 from ...simulation.integrate import simulate
 from ...simulation.mean_squares import clpe_of_samples, step_of_means
@@ -355,4 +347,4 @@ def _draw_errors(ax: "Axes", design: Design) -> None:
     ax.set_xlabel(f"time ({time})")
     ax.set_ylabel(f"largest flow-parameter error ({length}/{time})")
     ax.set_title(f"learning of {design.report['law']}", **TITLE)
-    legend_above_data(ax)
+    legend_below(ax, 2)

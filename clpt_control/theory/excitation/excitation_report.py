@@ -43,7 +43,9 @@ CERTIFIED = (
 )
 INVOLVED = 0.05  # smallest length of a parameter's unit vector in a subspace
 OFF = 0.1  # share of the largest flow parameter
-LOWEST = 1e-30  # share of the largest eigenvalue; smaller ones are drawn there
+LOWEST = (
+    1e-16  # share of the largest eigenvalue; smaller ones are rounding, and drawn there
+)
 SHARED = "the flow parameters, which all share, and each one's gains where they adapt"
 
 
@@ -330,8 +332,9 @@ def _draw_direction(ax: "Axes", excitation: Any, axis: str) -> None:
     ax.plot(names, shares, "D", color=RED, markersize=5, label="excited share")
     ax.axhline(0, color="black", linewidth=0.7)
     ax.tick_params(axis="x", labelsize=8, rotation=90)
-    kappa = excitation.eigenvalues[axis][0]
-    title = rf"{axis}: $\kappa_1$ = {kappa:.3g}, {excitation.span}"
+    kappa, *_, largest = excitation.eigenvalues[axis]
+    number = f"{kappa:.3g}" if kappa > LOWEST * largest else "0 to rounding"
+    title = rf"{axis}: $\kappa_1$ = {number}, {excitation.span}"
     ax.set_title(title, **TITLE)
 
 
