@@ -18,6 +18,9 @@ from ...paper.scenario.recorded_run import fixes_of, read_estimate
 
 Report = dict[str, Any]  # ready for JSON
 MANY = 40  # legs; beyond, marks are small
+SPREAD = (
+    20.0  # of the largest error over the usual one; beyond, the axis is logarithmic
+)
 DRAWN = """origin latitude longitude start_latitude start_longitude predicted_latitude
 predicted_longitude flow leg position_error forecast_radius"""
 REPORTED = """leg start_time end_time position_error forecast_radius inside flow guaranteed
@@ -195,7 +198,12 @@ def learned_flow_plot(data: xarray.Dataset, *, ax: Any = None) -> np.ndarray:
         numbers, error, "o-", color=BLUE, ms=size, label="error before learning"
     )
     errors.xaxis.get_major_locator().set_params(integer=True)
-    errors.set(xlabel="leg", ylabel="position error (km)", ylim=(0, None))
-    errors.set_ylim(0, 1.15 * max(float(error.max()), 1e-3))
+    errors.set(xlabel="leg", ylabel="position error (km)")
+    largest, usual = max(float(error.max()), 1e-3), float(np.median(error))
+    if 0 < usual < largest / SPREAD:  # later errors would lie on the axis
+        errors.set_yscale("log")
+        errors.set_ylim(usual / SPREAD, 3.0 * largest)
+    else:
+        errors.set_ylim(0, 1.15 * largest)
     legend_below(errors, 2)
     return np.array([chart, errors])
