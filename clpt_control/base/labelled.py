@@ -144,10 +144,12 @@ def labelled(argument: str, value: Any, clock: Clock | None = None) -> Any:
     """
     if isinstance(value, control.TimeResponseData):
         return _signals_of(argument, value, clock)
-    first_row = value.iloc[:1].to_dict("list") if has(value, "columns") else {}
-    for name, cells in first_row.items():
-        if any(isinstance(cell, str) for cell in cells):
-            raise ArgumentError(f"{argument}: column {name!r} has texts. Give numbers")
+    if has(value, "columns") and len(value):
+        for name, cell in zip(value.columns, value.iloc[0], strict=True):
+            if isinstance(cell, str):
+                raise ArgumentError(
+                    f"{argument}: column {name!r} has texts. Give numbers"
+                )
     kind = getattr(attribute_of(value, "dtype"), "kind", "")
     if kind == "O" and has(value, "iloc") and any(map(np.ndim, value)):
         value = value.to_dict()  # a Series of rows by name

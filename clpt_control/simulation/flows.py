@@ -263,7 +263,8 @@ def faster_flow(figures: Figures, units: Units) -> str:
     return (
         f"the flow was faster than the vehicle ({figures['max_speed']:g} {units.length}/{time}), "
         f"which cannot hold its place there: first at t = {faster['first']:g} {time}, "
-        f"{percent(faster['share'])} of the time, at most about {faster['longest']:.3g} {time} long"
+        f"{percent(faster['share'])} of the time by the samples, {faster['longest']:.3g} {time} "
+        "the longest"
     )
 
 

@@ -383,7 +383,7 @@ REFUSED = {  # inputs, initial states and params; words of the sentence
         "must be an array of numbers",
     ),
     "pairs in ends": (None, ({"x": (0, 1)}, HIGH), {}, "may be two pairs"),
-    "three ends": (None, {"x[0]": (0, 1, 2)}, {}, "finite numbers"),
+    "three ends": (None, {"x[0]": (0, 1, 2)}, {}, "finite number;"),
     "params that cross": (None, {"x": [0, 0]}, {"m.k": (per_second * 2, 1)}, "k: must"),
     "NaN of a param": (None, {"x": [0, 0]}, {"m.k": (1, math.nan)}, "a finite width"),
     "a dict of a param": (

@@ -89,7 +89,7 @@ def test_inputs_are_read_at_their_own_times_and_by_name(inputs):
         (TABLE.rename_axis("depth"), "labels of depth are no names"),
         (TABLE.set_axis(pd.MultiIndex.from_product([range(3)] * 2)), "are no names"),
         (TABLE.set_axis(["a", "a"], axis=1), "given twice"),
-        (TABLE.astype(str), "must be an array of numbers"),
+        (TABLE.astype(str), "has texts. Give numbers"),
         ({"a": "4"}, "must be an array of numbers"),
         ([NAMED, 0.0], "Give a dict by name"),
         ({"a": NAMED}, "there is no b. Did you mean 'a'|It has a"),

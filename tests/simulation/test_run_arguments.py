@@ -111,7 +111,7 @@ def test_other_states_of_a_scenario_are_its_own():
     [
         ({"inputs": {"torqe": 1}}, "lag: has no input 'torqe'. Did you mean 'torque'"),
         ({"initial_state": {"speed": 1}}, "lag: has no state 'speed'. It has angle"),
-        ({"initial_state": {"angle": [1, 2]}}, "must have 1 finite numbers"),
+        ({"initial_state": {"angle": [1, 2]}}, "must have 1 finite number;"),
         ({"inputs": {"torque": "much"}}, "must be an array of numbers"),
         (
             {"initial_state": {"angle": np.nan}},

@@ -28,7 +28,7 @@ import numpy as np
 from ...base.arguments import public
 from ...base.errors import DataError
 from ...base.files import write_file
-from ...paper.currents.flags import BAD_CODES
+from ...paper.currents.flags import BAD, BAD_CODES
 from .dive_fields import GIVE, whole_number
 from .dives import (
     COLUMNS,
@@ -165,7 +165,9 @@ def _dive(texts: dict[str, str], where: str) -> Dive | Skipped:
         through_water = velocity[0] * duration, velocity[1] * duration
     elif not has_stretch:
         current = cells["dac_east"], cells["dac_north"]
-        is_flagged = cells["dac_qc"] in BAD_CODES
+        is_flagged = cells["dac_qc"] in BAD_CODES or BAD.search(
+            texts.get("dac_qc", "").lower()
+        )
         if is_flagged or None in current:
             through_water = nan, nan
             why = (

@@ -43,7 +43,7 @@ PLACE = "(lat(itude)?|lon(g|gitude)?|position|pos|location|gps|gnss|fix|time)"
 MEASURED = f"(probably.?)?({RIGHT})|fix|g(ps|nss).*"
 COMPUTED = (
     "dr|dead.?reckon.*|estimated|interpolated|ins|imu|none|no.?(fix|gps)|void|"
-    rf"(?!no\b|no_).*({WRONG}).*"
+    rf"(?!no|never).*({WRONG}).*"
 )
 QC = "(qc|quality_?control|quality(_?flag)?|flags?|qartod)"
 MARKS = (

@@ -71,7 +71,7 @@ LOG_COLUMNS = {
     for name in (header, *COLUMNS[header].names.split())
 }
 # a log of AIS, whose course of 360 degrees means "none", has a column or another such number of it
-AIS = re.compile(r"\b(mmsi|cog|sog)\b|(?<![\d.])(511|102[.,]3)(?![\d.])", re.IGNORECASE)
+AIS = re.compile(r"\b(mmsi|cog|sog)\b", re.IGNORECASE)
 OF_OTHER_ROWS = (
     "the motion of each row looks like that of the row before. Move it up by one row",
     "the motion of each row looks like that of the row behind. Move it down by one row",
@@ -166,7 +166,10 @@ def log_legs(text: str, path: Path, every_row: bool = False) -> DivesOrSkipped:
     # courses of 360 degrees
     course, _ = columns.get("course", (0, 1.0))
     is_360 = cells.iloc[:, course].str.fullmatch(r"360(\.0*)?")
-    meaning = "none" if AIS.search(text) else "north"
+    speed, _ = columns.get("speed", (0, 1.0))
+    marks = ((course, "511"), (speed, "102.3"))
+    marked = any((cells.iloc[:, column] == mark).any() for column, mark in marks)
+    meaning = "none" if AIS.search(text) or marked else "north"
     if meaning == "none":
         cells.isetitem(course, cells.iloc[:, course].mask(is_360, ""))
     # headings and positions that are none

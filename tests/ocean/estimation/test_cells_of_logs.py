@@ -272,3 +272,14 @@ def test_a_turn_rounded_up_in_radians_is_north(tmp_path):
     assert len(rounded[0]) == 12
     np.testing.assert_allclose(rounded[0], exact[0], atol=1e-4)
     assert not any("read as none" in why for why in rounded[1])
+
+
+def test_a_course_of_102_degrees_does_not_make_360_none(tmp_path):
+    """102.3 is a speed that means none in AIS; as a course it is one."""
+
+    def cells(row):
+        course = {ROWS[1]: "102.3", ROWS[4]: "360"}.get(row, row[3])
+        return (*row[:3], course, row[4])
+
+    _, said = currents_of(tmp_path, text_of(STEERED, cells))
+    assert any("1 courses of 360 degrees are read as north" in why for why in said)

@@ -356,7 +356,6 @@ def test_the_origin_is_the_start_of_the_first_leg_that_is_learned(
 WAYS = {
     "knots": (lambda c, v: (c, v / 0.514444), "speeds look like knots"),
     "km/h": (lambda c, v: (c, v * 3.6), "speeds look like km/h"),
-    "radians": (lambda c, v: (np.radians(c), v), "courses look like radians"),
     "from": (lambda c, v: ((c + 180) % 360, v), "that the vehicle comes from"),
     "mathematical": (lambda c, v: ((90 - c) % 360, v), "counted from east"),
     "magnetic": (lambda c, v: ((c - 13) % 360, v), "degrees clockwise from"),

@@ -149,6 +149,13 @@ def test_a_current_stands_in_place_of_dead_reckoning(tmp_path):
         "dac_east or dac_north is not a number"
         in read_dives(tmp_path / "own.csv")[1][-1].why
     )
+    for flag in ("4", "bad", "QC_BAD"):
+        flagged = [f"{line.rstrip()},{flag}\n" for line in lines[:-1]]
+        head = HEAD.replace("dr_east_m,dr_north_m", "dac_east,dac_north,dac_qc")
+        (tmp_path / "own.csv").write_text(head + "".join(flagged))
+        used, left_out = read_dives(tmp_path / "own.csv")
+        assert not used
+        assert all("dac_qc is bad" in skipped.why for skipped in left_out)
     (tmp_path / "none.csv").write_text(HEAD.replace(",dr_east_m,dr_north_m", ""))
     said = "no column dr_east_m, dr_north_m; .* may stand instead"
     refuses(said, read_dives, tmp_path / "none.csv")
