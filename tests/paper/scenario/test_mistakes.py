@@ -32,7 +32,7 @@ WRONG = {
     r'reference.points: is a key of reference.kind = "waypoints"': {
         "reference": {"kind": "circle", "radius": 1, "count": 3, "points": [[0, 0]]}
     },
-    r'reference.count: is a key of reference.kind = "circle"': {
+    r'reference.(radius|count): is a key of reference.kind = "circle"': {
         "reference": {"kind": "waypoints", "points": [[0, 0]], "count": 3}
     },
     "adaptation.gain is the name at call time.* key is learning.gain": {
