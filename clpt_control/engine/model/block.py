@@ -25,7 +25,7 @@ from ...base.arguments import brief, check_known, has, known, numbers, public
 from ...base.errors import ArgumentError, BlockError
 from ..record.graph import Record, evaluated
 from ..record.unread import Unread, line_of
-from ..trace.tracing import RAISED
+from ..trace.tracing import RAISED, check_distance
 from .declaration import (
     POLICIES,
     Each,
@@ -442,6 +442,8 @@ class Block(ReadBlock):
     ) -> np.ndarray:
         function, ports = self._plan[role]
         returned = function(np.float64(t), vector(x, self._x), vector(u, self._u), p)
+        if role == "guard":
+            check_distance(self.name, returned)
         return flattened(f"{self.name}.{role}", returned, ports, size)
 
     @np.errstate(all="ignore")

@@ -51,6 +51,7 @@ ADVICE = {  # pattern of an error -> what to do
         "A block's has t, x, u, p; one of signals s"
     ),
     r"'(dict|Params)' object has no attribute": 'Here a parameter is p["k"]',
+    r"'_Signals'": "Signals have names: lambda s: s.x**2",
     r"operand.*'(list|tuple)'": "Give a parameter of several numbers as np.array",
     r"operand.*'(decimal\.Decimal|Fraction)'": "Give numbers as float",
 }

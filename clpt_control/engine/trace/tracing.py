@@ -30,7 +30,7 @@ from ..model.ports import check_ports, places, shaped
 from ..record.graph import Record, Shape, compact, conditions_of, is_known
 from ..record.unread import Unread, located, reading_on
 from .arrays import REMEMBERS, Array, Tape, objects, operand
-from .elementwise import as_number, filled, lifted
+from .elementwise import as_number, filled, is_truth, lifted
 from .execution_paths import AnsweringTape, Outside, each_path
 from .fingerprint import Fingerprint, reachable
 from .heaps import decision_tree, joined
@@ -49,6 +49,18 @@ RAISED = (
     SystemExit,
 )
 OF_PATHS = (*RAISED, RuntimeError, SystemError, Outside)
+
+
+def check_distance(block: str, returned: Any) -> None:
+    """Refuse truth values of a guard, which are never below 0."""
+    values = returned.values() if isinstance(returned, Mapping) else [returned]
+    for value in values:
+        first = value[0] if isinstance(value, list | tuple) and value else value
+        if is_truth(first):
+            raise BlockError(
+                f"{block}.guard: returns a truth value; must return a distance, positive "
+                "inside and negative outside: x[0] - 1 for x[0] > 1"
+            )
 
 
 WITHOUT_ORDER = Iterator, KeysView, ValuesView, ItemsView, Set
@@ -332,6 +344,9 @@ class _Tracing:
         tape = self.tape
         role, out = self.request.role, self.request.out
         of_control = self.request.of_control
+        name, _, of_guard = role.rpartition(".guard")
+        if name and not of_guard:
+            check_distance(name, returned)
         if of_control and isinstance(returned, WITHOUT_ORDER):
             raise Unread(f"returns {type(returned).__name__}; must return numbers")
         if isinstance(returned, Mapping):

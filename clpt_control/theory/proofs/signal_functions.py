@@ -3,6 +3,7 @@
 import re
 from collections import Counter
 from collections.abc import Callable
+from inspect import signature
 from typing import Any
 
 import control
@@ -29,6 +30,29 @@ def undefined_in(owner: str, kind: str, arguments: tuple) -> str | None:
     """Return where an operation has no value; one whose value may be too large has one."""
     sentence = no_value(owner, kind, arguments)
     return None if kind in LARGE else sentence
+
+
+class _Signals:
+    """Signals of a diagram, which have names: s.x, s["x"], and no positions."""
+
+    def __init__(self, owner: str, ports: Any, values: Any):
+        self._owner, self._ports, self._values = owner, ports, values
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_") and name not in self._ports:  # NumPy asks for these
+            raise AttributeError(name)
+        return self._value(name, f".{name}")
+
+    def __getitem__(self, name: Any) -> Any:
+        return self._value(name, f"[{name!r}]")
+
+    def _value(self, name: Any, written: str) -> Any:
+        if name in self._ports:
+            return self._values[name]
+        names = ", ".join(f"s.{name}" for name in self._ports)
+        raise DiagramError(
+            f"{self._owner}: a function of signals asks for s{written}. It has {names}"
+        )
 
 
 def signals_by_name(eq: Equations) -> dict[str, np.ndarray]:
@@ -134,10 +158,16 @@ def _traced(eq: Equations, source: Callable[[Any], Any]) -> tuple[Expr, list[str
             )
 
     refuse_no_number(source)
+    try:
+        signature(source).bind(None)
+    except (TypeError, ValueError):  # a built-in function tells no arguments
+        raise DiagramError(
+            f"{eq.name}: a function of signals takes one argument: lambda s: s.x**2"
+        ) from None
 
     def level(u: Any) -> Any:
         try:
-            value = source(by_name(u.s, ports))
+            value = source(_Signals(eq.name, ports, by_name(u.s, ports)))
         except AttributeError as error:  # a V of prove asks the truth for its fields
             if "_asdict" not in f"{error}":
                 raise

@@ -348,3 +348,26 @@ def test_a_point_above_the_level_has_a_linear_model():
     np.testing.assert_array_equal(linear.A, [[0.0, 1.0], [0.0, 0.0]])
     (note,) = clpt.check(ball()).notes  # its functions are not at the top of a module
     assert "cannot be pickled" in note
+
+
+@pytest.mark.parametrize("opaque", [False, True])
+@pytest.mark.parametrize(
+    "distance",
+    [
+        lambda t, x, u, p: x[0] > 0.5,
+        lambda t, x, u, p: [x[0] > 0.5],
+        lambda t, x, u, p: {"distance": x[0] > 0.5},
+    ],
+)
+def test_a_truth_value_is_no_distance(distance, opaque):
+    """It is 0 or 1, and never below 0: the run would pass the level in silence."""
+    guard = clpt.Guard(distance, "stop")
+    with pytest.raises(clpt.BlockError, match=r"x\[0\] - 1 for x\[0\] > 1"):
+        falling = clpt.Block(
+            "falling",
+            update=lambda t, x, u, p: [-1.0],
+            states={"h": 1},
+            guard=guard,
+            opaque=opaque,
+        )
+        clpt.simulate(falling, [0, 1, 2], initial_state=[1.0])
