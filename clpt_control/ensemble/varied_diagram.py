@@ -15,7 +15,6 @@ from contextlib import suppress
 from copy import copy
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
-from inspect import signature
 from typing import Any
 
 import numpy as np
@@ -35,7 +34,7 @@ from ..engine.diagram.block_numbers import PARAMETER_HINTS, Params
 from ..engine.diagram.wiring import read_anew, state_units, units_of, wiring_of
 from ..engine.model.ports import ports_of
 from ..engine.model.system import System
-from ..engine.record.unread import Unread, line_of
+from ..engine.record.unread import Unread, check_call, line_of
 from ..engine.solver.solver_layout import Status
 from ..simulation.dataset_template import Axes, DatasetTemplate, Series, port_variables
 from ..simulation.diagram_runs import labels_of, signal_units
@@ -168,12 +167,8 @@ class VariedDiagram:
         self.trajectories = trajectories
         self.summary = dict(summary or {})
         for name, user in self.summary.items():
-            try:
-                signature(user).bind(None)
-            except TypeError as error:
-                raise ScenarioError(
-                    f"summary: {name}: must be a function of one run, run.y: {error}"
-                ) from None
+            needs = "must be a function of one run, as lambda run: run.y.max()"
+            check_call(user, ScenarioError, 1, f"summary: {name}: {needs}")
         # 1. the diagram, with parameters that its systems do not declare
         read_anew(diagram)
         sizes = request.sizes

@@ -72,7 +72,7 @@ def save_run(run: "xarray.Dataset", path: str | Path) -> None:
     """
     check_writable(path, "a run", (".nc",))
     if "clpe" not in run.variables and not is_response(run):
-        raise DataError(f"{path}: {NO_RUN}. Make a run with clpt.simulate")
+        raise DataError(f"{path}: {NO_RUN}. Write other datasets by to_netcdf")
     if not set(run.data_vars) - {"states"}:
         raise DataError(f"{path}: the run has no signal. Give its system outputs")
     write_file(path, as_written(run, Path(path)))

@@ -17,6 +17,7 @@ from ..model.block import Block
 from ..model.declaration import Guard, Parameters, check_names, ports_line, same_unit
 from ..model.ports import Vector, counts_of, labels, spans_of, vector, whole_labels
 from ..model.sampled import Sampled
+from ..record.unread import check_call
 from ..trace.arrays import Array
 from ..trace.tracing import Ports
 from .block_numbers import blocks_of, own_params, parts_of
@@ -373,6 +374,8 @@ def with_stop(
         raise DiagramError(
             f"stop = {brief(stop)}: must be a function of t, outputs and inputs"
         )
+    needs = "stop: must take t, outputs and inputs, as lambda t, y, u: y[0] - 1"
+    check_call(stop, DiagramError, 3, needs)
     if wiring.dt:
         raise DiagramError(
             f"stop: a diagram of discrete time (dt = {wiring.dt}) has no values between "

@@ -2,8 +2,9 @@
 
 import re
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from inspect import signature
 from threading import local
 from traceback import extract_tb, walk_tb
 from types import CodeType, FrameType
@@ -43,6 +44,17 @@ def reading_on(tape: Any) -> Iterator[None]:
 
 
 # --- functions and lines of the user's code, for sentences --------------------------------------
+
+
+def check_call(
+    function: Callable, error: type[Exception], count: int, sentence: str
+) -> None:
+    """Raise an error with a sentence if a function does not take `count` arguments."""
+    try:
+        signature(function).bind(*[None] * count)
+    except (TypeError, ValueError):  # a built-in function tells no arguments
+        raise error(sentence) from None
+
 
 LIBRARIES = ("numpy", "scipy", "matplotlib", "pandas", "xarray")  # run as they are
 ADVICE = {  # pattern of an error -> what to do

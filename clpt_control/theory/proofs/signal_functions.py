@@ -3,7 +3,6 @@
 import re
 from collections import Counter
 from collections.abc import Callable
-from inspect import signature
 from typing import Any
 
 import control
@@ -20,6 +19,7 @@ from ...engine.diagram.symbolic_equations import Equations, on_symbols
 from ...engine.model.block import Block
 from ...engine.model.ports import places
 from ...engine.record.symbolic import Symbols
+from ...engine.record.unread import check_call
 from ..algebra.numeric_values import NO_VALUE
 from .symbolic_loop import no_value
 
@@ -158,12 +158,8 @@ def _traced(eq: Equations, source: Callable[[Any], Any]) -> tuple[Expr, list[str
             )
 
     refuse_no_number(source)
-    try:
-        signature(source).bind(None)
-    except (TypeError, ValueError):  # a built-in function tells no arguments
-        raise DiagramError(
-            f"{eq.name}: a function of signals takes one argument: lambda s: s.x**2"
-        ) from None
+    needs = "a function of signals takes one argument: lambda s: s.x**2"
+    check_call(source, DiagramError, 1, f"{eq.name}: {needs}")
 
     def level(u: Any) -> Any:
         try:

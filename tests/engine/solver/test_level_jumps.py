@@ -361,13 +361,16 @@ def test_a_point_above_the_level_has_a_linear_model():
 )
 def test_a_truth_value_is_no_distance(distance, opaque):
     """It is 0 or 1, and never below 0: the run would pass the level in silence."""
-    guard = clpt.Guard(distance, "stop")
-    with pytest.raises(clpt.BlockError, match=r"x\[0\] - 1 for x\[0\] > 1"):
+
+    def run():
         falling = clpt.Block(
             "falling",
             update=lambda t, x, u, p: [-1.0],
             states={"h": 1},
-            guard=guard,
+            guard=clpt.Guard(distance, "stop"),
             opaque=opaque,
         )
         clpt.simulate(falling, [0, 1, 2], initial_state=[1.0])
+
+    with pytest.raises(clpt.BlockError, match=r"x\[0\] - 1 for x\[0\] > 1"):
+        run()
