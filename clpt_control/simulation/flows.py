@@ -33,7 +33,10 @@ if TYPE_CHECKING:
 
 Figures = dict[str, Any]  # of a run, by name
 TOLD_TURN = 1.0  # rad between fixes
-BOX = 21  # points on each side of a track's box, and times
+BOX_POINTS = 9261  # of a track's box and the window, each at a time of its own
+SPREAD = 1.2207440846057596 ** -np.arange(
+    1.0, 4.0
+)  # g^-k, g^4 = g + 1: irrational steps
 LEAST_SAMPLES = 10  # of a measured track, to compare its motion with Eq. (7)
 SPEEDS = "commanded_velocity", "true_flow", "reference"  # speed_figures reads these
 LEAST_FACTOR = 0.7  # and its inverse; samples and noise leave it between them
@@ -169,8 +172,8 @@ def flows_learned(
     """Return true and learned flow, (n, 2) each, along the track and over the box.
 
     Along the track with the estimate of each time, theta_hat(t) phi(x(t), t), over the box with the
-    last one.  The box is that of the grid, or of the track; then at `BOX` points a side and `BOX`
-    times of the window.
+    last one.  The box is that of the grid, or of the track; then at points that fill box and window
+    evenly, whose times are no multiples of a tide's period.
     """
     phi = scenario.basis_block()
     theta = run.flow_parameters_estimate.values
@@ -189,13 +192,14 @@ def flows_learned(
     if scenario.field_path is None:
         low = points.min(axis=0)
         high = points.max(axis=0)
-        axes = [np.linspace(begin, end, BOX)]
-        axes += [np.linspace(low[i], high[i], BOX) for i in (1, 0)]
+        share = (0.5 + np.arange(BOX_POINTS)[:, None] * SPREAD) % 1.0
+        points = low + (high - low) * share[:, :2]
+        times = begin + (end - begin) * share[:, 2]
     else:
         field = read_field(scenario.field_path, scenario.units)
-        axes = [field.time, field.x2, field.x1]
-    times, x2, x1 = (axis.ravel() for axis in np.meshgrid(*axes, indexing="ij"))
-    points = np.column_stack([x1, x2])
+        axes = np.meshgrid(field.time, field.x2, field.x1, indexing="ij")
+        times, x2, x1 = (axis.ravel() for axis in axes)
+        points = np.column_stack([x1, x2])
     learned = evaluate(phi, times, points) @ theta[-1].T
     return flows | {"box": (true_flow(scenario, points, times), learned)}
 

@@ -30,6 +30,34 @@ def test_without_learning_the_error_is_the_flow(tmp_path, printed, monkeypatch):
     assert report["flow_error"]["box"] == pytest.approx(0.5, rel=1e-12)
 
 
+@pytest.mark.parametrize("phase", [0.0, -1.5707963267948966])
+def test_a_tide_in_step_with_evenly_spaced_times_has_its_rms(
+    tmp_path, printed, monkeypatch, phase
+):
+    """S2 of 1 km/h over 20 days, nothing learned: rms 1 / sqrt(2) on the track and in the box."""
+    monkeypatch.chdir(tmp_path)
+    values = {
+        "units.length": "km",
+        "units.time": "h",
+        "basis.centers": [[0, 0]],
+        "basis.widths": [1e6],
+        "basis.periods": None,
+        "basis.constituents": ["S2"],
+        "basis.phases": [phase],
+        "model.parameters": None,
+        "learning.parameters": None,
+        "flow.parameters": [[1.0], [0.0]],
+        "learning.gain": 0.0,
+        "run.duration": 480.0,
+    }
+    values["basis.kernel"] = "gaussian"
+    scenario = clpt.paper_scenario().with_values(values)
+    clpt.save_scenario(scenario, "s.toml")
+    report = printed("run", "s.toml", "--out", "run.nc")
+    for error in report["flow_error"].values():
+        assert error == pytest.approx(0.5**0.5, rel=5e-3)
+
+
 def test_overlapping_functions_mislead_the_parameters_not_the_flow(
     tmp_path, printed, clpt_lines, monkeypatch
 ):

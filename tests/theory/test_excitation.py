@@ -8,6 +8,7 @@ import pytest
 from error_sentences import says
 from gridded_currents import uniform_field
 from image_checks import inked
+from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 from team_scenarios import team, vehicle
 
@@ -167,11 +168,40 @@ def test_the_figure_shows_what_is_not_learnable(true_paper, tmp_path):
     _, eigenvalues = found.sliding()
     (top, _), (bottom, _) = found.plot()
     top.figure.savefig(tmp_path / "excitation.png")
-    np.testing.assert_allclose(
-        top.get_lines()[-2].get_ydata(), eigenvalues["x1"][:, 0], rtol=1e-12
-    )
+    drawn = {line.get_label(): line.get_ydata() for line in top.get_lines()}
+    smallest = drawn[r"$\kappa_1$, smallest"]
+    np.testing.assert_allclose(smallest, eigenvalues["x1"][:, 0], rtol=1e-12)
     least = found.least_excited["x1"]
     assert [bar.get_height() for bar in bottom.patches] == list(least.values())
+
+
+def test_a_rate_of_the_window_is_said_of_the_window():
+    """A regressor exp(-t/4): the window 0 to 4 repeated halves errors every 4 ln 2 / ln 1/rho.
+
+    The run to 40, repeated, needs eight times as long.
+    """
+    fading = clpt_package.Block(
+        "fading",
+        update=lambda t, x, u, p: {
+            "e": -x.e + np.exp(-t / 4) * x.th,
+            "th": -np.exp(-t / 4) * x.e,
+        },
+        states={"e": 1, "th": 1},
+    )
+    verdict = clpt_package.lyapunov(fading, lambda s: s.e**2 / 2 + s.th**2 / 2)
+    run = clpt_package.simulate(fading, np.linspace(0, 40, 401), None, [1.0, 1.0])
+    found = clpt_package.gramian(run, 4.0, 0.0, of=verdict)
+
+    def rates(t, y):
+        w = np.exp(-t / 4)
+        return (np.array([[-1, w], [-w, 0]]) @ y.reshape(2, 2)).ravel()
+
+    ends = solve_ivp(rates, (0, 4), np.eye(2).ravel(), rtol=1e-11, atol=1e-13).y[:, -1]
+    radius = max(abs(np.linalg.eigvals(ends.reshape(2, 2))))
+    true = -4 * np.log(2) / np.log(radius)
+    assert true <= found.certificate().half_life < 1.1 * true
+    assert "if the window repeats" in repr(found)
+    found.plot()  # one direction only
 
 
 def test_places_on_a_circle_excite_both_axes_alike(paper):

@@ -76,7 +76,11 @@ def asked(system: Scenario | Team, waypoints: int) -> str:
             subject += f" at {waypoints} waypoints, {dwell} at each,"
     measured = scenario.flow.field is not None
     functions = (scenario.flow.basis or scenario.basis).N
-    water = "a measured current" if measured else f"a flow of {functions} functions"
+    water = (
+        "a measured current"
+        if measured
+        else f"a flow of {functions} function{'s'[: functions > 1]}"
+    )
     span = f"{scenario.run.duration:g} {scenario.units.time}"
     return f"{subject} for {span} in {water}; law {scenario.learning.law}"
 

@@ -147,8 +147,8 @@ def repeated_text(excitation: Any) -> str:
     of_errors = at_most(found.overshoot * np.linalg.cond(scale))
     but = ", but for what the disturbance adds" * found.disturbed
     return (
-        f"the root of V halves at least every {half_life}, but for a factor {factor}, along this "
-        f"run repeated (errors of parameters, from e = 0: a factor {of_errors}){but}"
+        f"the root of V halves at least every {half_life}, but for a factor {factor}, if the "
+        f"window repeats (errors of parameters, from e = 0: a factor {of_errors}){but}"
     )
 
 
@@ -308,11 +308,17 @@ def _draw_eigenvalues(
     ax: "Axes", starts: np.ndarray, values: np.ndarray, excitation: Any, axis: str
 ) -> None:
     """Draw the eigenvalues of one axis in the sliding window."""
+    from matplotlib.ticker import ScalarFormatter
+
     values = np.maximum(values, LOWEST * values.max())
-    ax.semilogy(starts, values[:, 1:-1], ".-", color=GREY, linewidth=0.7, markersize=1)
     rows = ((-1, RED, r"$\kappa_2$, largest"), (0, BLUE, r"$\kappa_1$, smallest"))
     for k, color, label in rows:
         ax.semilogy(starts, values[:, k], ".-", color=color, markersize=3, label=label)
+    for line in ax.semilogy(starts, values[:, 1:-1], color=GREY, linewidth=0.7)[:1]:
+        line.set_label("others")
+    if values.max() < 10.0 * values.min():  # less than a decade: plain numbers
+        ax.yaxis.set_major_formatter(ScalarFormatter())
+        ax.yaxis.set_minor_formatter(ScalarFormatter())
     style: dict[str, Any] = {"color": "black", "linestyle": ":", "linewidth": 1.0}
     ax.axvline(excitation.start, label="window below", **style)
     if values.max() < 1.01 * values.min():  # rounding is no change
@@ -332,8 +338,9 @@ def _draw_direction(ax: "Axes", excitation: Any, axis: str) -> None:
     ax.plot(names, shares, "D", color=RED, markersize=5, label="excited share")
     ax.axhline(0, color="black", linewidth=0.7)
     ax.tick_params(axis="x", labelsize=8, rotation=90)
-    kappa, *_, largest = excitation.eigenvalues[axis]
-    number = f"{kappa:.3g}" if kappa > LOWEST * largest else "0 to rounding"
+    values = excitation.eigenvalues[axis]
+    kappa = values[0]
+    number = f"{kappa:.3g}" if kappa > LOWEST * values[-1] else "0 to rounding"
     title = rf"{axis}: $\kappa_1$ = {number}, {excitation.span}"
     ax.set_title(title, **TITLE)
 

@@ -68,7 +68,9 @@ class Excitation(Regressor):
     source: Any = None  # scenario or run that was measured
 
     def __repr__(self) -> str:
-        learned = self.certified[0] and f"; {learned_text(self)}; {repeated_text(self)}"
+        learned = self.certified[0] and (
+            f"; in windows like this one {learned_text(self)}; {repeated_text(self)}"
+        )
         return f"<Excitation {self.span}: excited {self.counted()}{learned or ''}>"
 
     def _repr_html_(self) -> str:
