@@ -5,8 +5,10 @@ import shutil
 import subprocess
 
 import pytest
+import sympy
 from latex_texts import well_formed
 from small_scenarios import paper_of
+from sympy.core.function import AppliedUndef
 from text_systems import written
 
 import clpt_control as clpt
@@ -45,8 +47,26 @@ def test_a_condition_is_told():
         parameters={"k": 2.0},
     )
     text = well_formed(clpt.lyapunov(lag, lambda s: s.x**2 / 2))
-    assert r"\dot V = - k\,x^{2}$" in text
+    assert r"Then, where $w = 0$, $\displaystyle \dot V = - k\,x^{2}$" in text
     assert "Conditions: where $k > 0$; where $w = 0$." in text
+
+
+def test_the_rate_of_a_refuted_V_has_its_inputs():
+    """e' = -e + k r, k' = r e: V' = -e^2 + 2 e k r, which the input raises."""
+    law = clpt.Block(
+        "law",
+        update=lambda t, x, u, p: {"e": -x.e + x.k * u.r, "k": u.r * x.e},
+        states={"e": 1, "k": 1},
+        inputs={"r": 1},
+    )
+    found = clpt.lyapunov(law, lambda s: s.e**2 / 2 + s.k**2 / 2)
+    (e, k), (r,) = found.point.x, found.point.u
+    at_point = {"e": e, "k": k, "r": r, "r(t)": r}
+    leaves = found.rate.atoms(sympy.Symbol, AppliedUndef)
+    value = found.rate.subs({leaf: at_point.get(str(leaf), 0) for leaf in leaves})
+    assert float(value) == pytest.approx(-(e**2) + 2 * e * k * r, rel=1e-12)
+    assert float(value) == pytest.approx(found.value, rel=1e-9)
+    assert r"\dot V = - e^{2} + 2\,e\,k\,r$" in well_formed(found)
 
 
 @pytest.mark.parametrize(("factor", "status"), [(1, "proved"), (3, "refuted")])

@@ -69,7 +69,9 @@ def _statement(verdict: Any) -> Iterator[str]:
         change = " = V(x^+) - V(x)" if equations.discrete else ""
         yield rf"Let \[ {equations.latex()} \]"
         yield _equation("and", "V =", verdict.V)
-        yield _equation("Then", rf"\dot V{change} =", verdict.rate)
+        still = (c for c in verdict.conditions if c.name == "zero inputs")
+        words = "".join(f", {written(c.statement).strip()}," for c in still)
+        yield _equation(f"Then{words}", rf"\dot V{change} =", verdict.rate)
     if verdict.claimed is not None:
         yield _equation("Claim:", r"\dot V \le", verdict.claimed)
     if verdict.status == "refuted":

@@ -75,8 +75,8 @@ class Verdict(Judged):
     sentence : str
         The verdict in words, made of its fields.
     V, rate : sympy.Expr or None
-        V, and V'; of a diagram in its own signals. In discrete time `rate` is by how much V
-        changes. None where no V was found.
+        V, and V'; of a diagram in its own signals; of a proof "where u = 0" V' there. In discrete
+        time `rate` is by how much V changes. None where no V was found.
     inputs : tuple of str
         Inputs that V' depends on.
     steps : tuple of Step

@@ -552,7 +552,8 @@ class SystemCandidate(LyapunovCandidate):
         if status == "open":
             claim = self.with_rate(claim)
         V = self.in_signals(self.V)
-        rate = self.readable_rate(self.rate if fall.rate is None else fall.rate)
+        is_whole = status != "proved" or fall.rate is None
+        rate = self.readable_rate(self.rate if is_whole else fall.rate)
         inputs = tuple(self.depends_on(self.rate))
         fields |= {"claimed": self.claim, "equations": self.relations.eq}
         return Verdict(status, claim, V=V, rate=rate, inputs=inputs, **fields)
