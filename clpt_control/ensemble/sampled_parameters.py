@@ -103,7 +103,7 @@ def _of_item(key: str, values: Any) -> Vary:
             levels = (
                 np.asarray(values) if np.ndim(values) == 1 else unlabelled(key, values)
             )
-            if np.iscomplexobj(levels):
+            if levels.dtype.kind in "bc":
                 raise TypeError
             levels = levels.astype(str if levels.dtype.kind == "U" else float).tolist()
             text = f"{key}={json.dumps(levels)}"
@@ -166,8 +166,8 @@ def _check_levels(item: Vary, base: np.ndarray) -> None:
     except (TypeError, ValueError, OverflowError):
         levels = np.array(math.nan)
     has_integers = not item.key.endswith(".seed") or np.all(levels % 1 == 0)
-    is_truth = bool in map(type, item.numbers)
-    has_gaps = is_truth or not (is_text or np.all(levels == levels))
+    others = {bool, *([] if is_text else [str])} & {*map(type, item.numbers)}
+    has_gaps = bool(others) or not (is_text or np.all(levels == levels))
     if levels.shape[1:] != shape or has_gaps or not has_integers:
         allowed = "a number" if shape == () else f"an array of shape {shape}"
         allowed = allowed if has_integers else "a whole number"

@@ -225,6 +225,11 @@ def thrusters(
             f"{name}: places = {brief(places)}, angles = {brief(angles)}: must be a list of "
             "pairs, and an angle for each"
         )
+    if np.any(np.abs(a) > 2 * np.pi):
+        raise BlockError(
+            f"{name}: angles = {brief(angles)}: is in radians, within a turn. Give "
+            "np.radians(angles)"
+        )
     values = checked_sizes(name, a.size, low=low, high=high, lag=lag)
     forward, starboard = points.T
     B = np.array([np.cos(a), np.sin(a), forward * np.sin(a) - starboard * np.cos(a)])

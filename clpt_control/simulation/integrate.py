@@ -11,8 +11,10 @@ import control
 import numpy as np
 
 from ..base.arguments import attribute_of, public
+from ..base.progress import warn
 from ..base.run_attributes import ARGUMENTS, BEYOND, DIAGRAM, TEAM, RunDiagram
 from ..engine.solver.runner import checked_method
+from ..engine.solver.solver_layout import Status
 from .diagram_runs import DiagramRun
 from .requests import request_of, times_from_zero
 from .run_cache import cached_run, diagram_key, keep_run
@@ -164,6 +166,11 @@ def simulate(
 
     if skipped:
         data = data.isel(time=slice(skipped, None))
+    if data.attrs["status"] == Status.STOPPED.label and data.sizes["time"] == 1:
+        warn(
+            "the run ends at its start, where `stop`, or a guard with the policy 'stop', is not "
+            "above 0: a run goes on while it is"
+        )
     if samples == 2:
         data.attrs["message"] += "; two samples, for more see np.linspace"
     _note_arguments(data, unrecorded, {**solver, "params": params or None})

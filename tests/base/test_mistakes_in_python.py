@@ -65,11 +65,19 @@ def vary(**named):
 
 
 MISTAKES = """
+clpt.simulate(PEN, TIMES, 0, [1, 0], rtol=5) -> rtol = 5: must be a number, 0 or more and below 1
+clpt.run_ensemble(PEN, {"d": ["1", "2"]}, timepts=TIMES) -> d = ["1", "2"]: each value must be a number
+clpt.run_ensemble(PEN, {"d": [True, False]}, timepts=TIMES) -> vary: d = [True, False]: must be
+parts.pid(0.8, 0.03, 2.0, 100) -> pid: too many positional arguments
+parts.thrusters([[0, 1], [1, 0]], [0, 90], -1, 1, 0.1) -> angles = [0, 90]: is in radians, within a turn. Give np.radians(angles)
+bool(clpt.lyapunov(PEN, lambda s: s.angle**2)) -> a verdict is no truth value. Ask verdict.status == 'proved'
+setattr(SHORT.run, "duration", 40) -> duration: a scenario stays as it is. Make another by scenario.with_values
+clpt.Block("b", update=lambda x, t, u, p: -x[0], states={"x": 1}) -> Its arguments are t, x, u, p
 clpt.Block("b", update=lambda t, x, u: [0.0], states={"x": 1}) -> but 4 were given. Its arguments are t, x, u, p
 clpt.lyapunov(PEN, within={"angle": 1.0}) -> must be a dict of lists of numbers by name or None, such as {'angle': (-1.0, 1.0)}
 clpt.lyapunov(PEN, lambda s: s.angle**2, where={"d": (0.1, 1)}) -> where: d is a parameter. Make it an input
 clpt.lyapunov(PEN, lambda s: 1.0) -> V = 1: has no state. Give one: lambda s: s.x**2
-clpt.lyapunov(PEN, lambda x, u: x) -> A block's has t, x, u, p; one of signals s
+clpt.lyapunov(PEN, lambda x, u: x) -> a function of signals takes one argument: lambda s: s.x**2
 clpt.lyapunov(PEN, lambda s: s.angle**2, where={"torque": 3}) -> or None by name or None, such as {'torque': (-1.0, 1.0)}
 clpt.verify(PEN, [0, 1], None, [0, 0], by="3: angle < 1") -> or functions or None, such as (3.0, 'rate < 1')
 clpt.verify(PEN, [0, 1], None, [0, 0], always=lambda s: s.angle < 3) -> where the specification holds, such as 0.9 - s.level
@@ -170,7 +178,7 @@ prepared(inputs=NAN) -> inputs: must be finite, not nan. Fill the gaps
 estimator().flow(1777593600e3, 36.7, -122) -> time 1777593600000: must be finite, s since 1970. Divide
 estimator().flow(1777593600, NAN, -122) -> place (nan, -122): must be latitude and longitude
 estimator().guaranteed(1777593600e3, 36.7, -122) -> Divide milliseconds by 1000
-clpt.simulate(PEN, TIMES, rtol=INF) -> rtol = inf: must be a number, 0 or more and finite
+clpt.simulate(PEN, TIMES, rtol=INF) -> rtol = inf: must be a number, 0 or more and below 1
 clpt.simulate(PEN, TIMES, atol=INF) -> atol = inf: must be a number, 0 or more and finite
 clpt.prepare(PEN, TIMES, atol=INF) -> atol = inf: must be a number
 clpt.fit_parameters(PEN, {"angle": TIMES}, {"g": 5.0}, TIMES, rtol=INF) -> rtol = inf: must be

@@ -60,9 +60,11 @@ LIBRARIES = ("numpy", "scipy", "matplotlib", "pandas", "xarray")  # run as they 
 ADVICE = {  # pattern of an error -> what to do
     r"takes \d positional arguments? but 4": "Its arguments are t, x, u, p",
     r"missing \d+ required positional arguments?: '(t|x|u|p|params)'": (
-        "A block's has t, x, u, p; one of signals s"
+        "Its arguments are t, x, u, p"
     ),
     r"'(dict|Params)' object has no attribute": 'Here a parameter is p["k"]',
+    r"invalid index to scalar variable": "Its arguments are t, x, u, p",
+    r"destination is read-only": "Return the rates; x, u and p stay as they are",
     r"'_Signals'": "Signals have names: lambda s: s.x**2",
     r"operand.*'(list|tuple)'": "Give a parameter of several numbers as np.array",
     r"operand.*'(decimal\.Decimal|Fraction)'": "Give numbers as float",

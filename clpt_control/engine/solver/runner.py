@@ -228,8 +228,9 @@ class Runner:
 
 # --- options of a run -------------------------------------------------------------------------
 
-# the least that an option may be; it is finite, and `rtol` below 1
+# the least that an option may be, and what it must be below
 LEAST = {"rtol": 0.0, "atol": 0.0, "max_step": 5e-324, "first_step": 5e-324}
+BELOW = {"rtol": (1.0, "below 1")}
 
 
 @dataclass(frozen=True)
@@ -270,10 +271,11 @@ class RunOptions:
                 )
         for name in LEAST.keys() & options:
             size = numbers(name, options[name])
-            if size.ndim or not LEAST[name] <= size < np.inf:
+            top, finite = BELOW.get(name, (np.inf, "finite"))
+            if size.ndim or not LEAST[name] <= size < top:
                 allowed = "above 0" if LEAST[name] else "0 or more"
                 raise SimulationError(
-                    f"{name} = {options[name]}: must be a number, {allowed} and finite"
+                    f"{name} = {options[name]}: must be a number, {allowed} and {finite}"
                 )
             options[name] = float(size)
         checked = cls(**options)

@@ -71,6 +71,14 @@ class Table(pydantic.BaseModel):
 
     __init__.__pydantic_base_init__ = True  # type: ignore[attr-defined]  # not of inner tables
 
+    def __setattr__(self, name: str, value: Any) -> None:
+        if name in type(self).model_fields:
+            raise ScenarioError(
+                f"{name}: a scenario stays as it is. Make another by scenario.with_values, as "
+                "with_values({'run.duration': 40})"
+            )
+        super().__setattr__(name, value)
+
     @pydantic.model_validator(mode="before")
     @classmethod
     def _keys_are_known(cls, values: Any) -> Any:

@@ -18,6 +18,7 @@ from typing import Any, Literal, NamedTuple
 
 from sympy import Expr
 
+from ...base.errors import ArgumentError
 from ..algebra.texts import bound_text, cut, outward
 from .statements import Statement, joined, said
 from .steps import Step
@@ -229,6 +230,11 @@ class Judged:
     for_every_N : bool
         Whether it is proved for every number of basis functions.
     """
+
+    def __bool__(self) -> bool:
+        raise ArgumentError(
+            "a verdict is no truth value. Ask verdict.status == 'proved'"
+        )
 
     status: Status
     claim: str

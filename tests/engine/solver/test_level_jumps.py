@@ -374,3 +374,16 @@ def test_a_truth_value_is_no_distance(distance, opaque):
 
     with pytest.raises(clpt.BlockError, match=r"x\[0\] - 1 for x\[0\] > 1"):
         run()
+
+
+@pytest.mark.parametrize("by", ["stop", "guard"])
+def test_a_run_that_ends_where_it_begins_warns(by):
+    """A reversed sign: `stop` and a guard's distance are above 0 where a run goes on."""
+    guard = clpt.Guard(lambda t, x, u, p: -x[0], "stop") if by == "guard" else None
+    stop = (lambda t, y, u: y.h < 0.0) if by == "stop" else None
+    falling = clpt.Block(
+        "falling", update=lambda t, x, u, p: [-1.0], states={"h": 1}, guard=guard
+    )
+    with pytest.warns(UserWarning, match="the run ends at its start"):
+        run = clpt.simulate(falling, [0, 1, 2], initial_state=[1.0], stop=stop)
+    assert run.sizes["time"] == 1
