@@ -103,6 +103,14 @@ class PublicModule(ModuleType):
         setattr(self, name, value)
         return value
 
+    def __call__(self, *given: Any, **named: Any) -> None:
+        """Refuse a call, and name the functions."""
+        short = self.__name__.replace(PACKAGE, "clpt")
+        names = ", ".join(f"{short}.{name}" for name in self.__all__ if name.islower())
+        from .errors import ArgumentError
+
+        raise ArgumentError(f"{short}: is a module. Call one of {names}")
+
     def __dir__(self) -> list[str]:
         return [*self.__all__]
 

@@ -25,7 +25,7 @@ from ..base.labelled import unit_of
 from ..base.run_attributes import LABELS
 from ..base.units import printed_unit
 from ..engine.model.ports import ports_of
-from .dataset_template import INDEX
+from .dataset_template import HELD, INDEX
 from .run_plots import clpe_plot, learning_plot, run_plot
 from .track_chart import legend_beside, run_style, style_line, track_plot
 
@@ -107,15 +107,18 @@ def signals_plot(
         return ax
     ax = axes_for(ax, 6.4, 3.2)
     signals: dict[str, np.ndarray] = {}  # by name with unit
+    steps: dict[str, dict[str, str]] = {}
     for name in names:
-        signals |= _signals_by_name(run, name, plots)
+        found = _signals_by_name(run, name, plots)
+        signals |= found
+        steps |= dict.fromkeys(found, _steps(run, name))
     before = len(ax.lines)
     for k, (name, values) in enumerate(signals.items()):
         text = literal(name)
         if label is not None:
             run_name = with_formulas(label)
             text = run_name if len(signals) == 1 else f"{run_name}: {text}"
-        style = line_style(k + before * (color is None))
+        style = line_style(k + before * (color is None)) | steps[name]
         [line] = ax.plot(run.time.values, values, label=text, linewidth=1.1, **style)
         style_line(line, None, color)
     is_one = len(names) == 1 and ax.get_ylabel() in ("", literal(_title(run, names[0])))
@@ -130,15 +133,24 @@ def _by_unit(run: "xarray.Dataset", names: Sequence[str]) -> list[list[str]]:
     """Return names in groups of one unit, in the order of their first ones."""
     groups: dict[str, list[str]] = {}
     for name in names:
-        port = run.get(name, run.get(name.partition("[")[0]))
-        groups.setdefault(unit_of(port), []).append(name)
+        groups.setdefault(unit_of(_port(run, name)), []).append(name)
     return [*groups.values()]
+
+
+def _port(run: "xarray.Dataset", name: str) -> Any:
+    """Return the port of a name, or None of a state."""
+    return run.get(name, run.get(name.partition("[")[0]))
 
 
 def _title(run: "xarray.Dataset", name: str) -> str:
     """Return a name with the unit of its port."""
-    port = run.get(name, run.get(name.partition("[")[0]))
-    return label_of(name, port)
+    return label_of(name, _port(run, name))
+
+
+def _steps(run: "xarray.Dataset", name: str) -> dict[str, str]:
+    """Return the style of a line in steps, of a signal that is held between samples."""
+    is_held = getattr(_port(run, name), "attrs", {}).get("comment") == HELD
+    return {"drawstyle": "steps-post"} if is_held else {}
 
 
 def _signals_by_name(
@@ -181,7 +193,8 @@ def _draw_port(ax: Any, run: "xarray.Dataset", port: str) -> None:
     is_labelled = len(signals) <= MAX_LABELS
     for k, (name, values) in enumerate(signals.items()):
         label = literal(name) if is_labelled else None
-        ax.plot(time, values, label=label, linewidth=1.1, **line_style(k))
+        style = line_style(k) | _steps(run, port)
+        ax.plot(time, values, label=label, linewidth=1.1, **style)
     label = fill(label_of(port, run[port]), LONGEST_LINE)
     ax.set_ylabel(literal(label))
     if len(signals) > 1 and is_labelled:

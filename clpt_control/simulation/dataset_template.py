@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 INDEX = "index"  # suffix of the dimension of a port
 STATE = {"long_name": "state of the diagram"}
 STATES = {"long_name": "states of the diagram, each in its own unit"}
+HELD = "held between the samples of its block"
 REPEAT = "The script that made this run repeats it"  # a file has no equations
 COMPLETED = Status.FINISHED.sentence
 PACKAGES = ("clpt-control", "control", "numpy", "scipy", "llvmlite")
@@ -201,16 +202,23 @@ def port_variables(
 
 @lru_cache(maxsize=64)
 def diagram_template(
-    name: str, labels: Labels, units: Labels, states: Labels
+    name: str,
+    labels: Labels,
+    units: Labels,
+    states: Labels,
+    held: frozenset[int] = frozenset(),
 ) -> DatasetTemplate:
     """Return the template of any diagram's runs: a variable for each port, and the states.
 
-    `labels` and `units` are those of the signals.
+    `labels` and `units` are those of the signals, of which some are `held` between samples.
     """
     ports = ports_of(labels)
     port_units = {port: units[indices[0]] for port, indices in ports.items()}
     reserved = "time", "state", "states"
     variables, axes = port_variables(ports, {}, reserved, port_units)
+    for series, indices in zip(variables.values(), ports.values(), strict=True):
+        if held.issuperset(indices):
+            series.attributes["comment"] = HELD
     attributes = {"title": f"Response of {name}", "comment": REPEAT}
     return DatasetTemplate(variables, axes, attributes, states=states)
 

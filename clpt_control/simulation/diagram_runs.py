@@ -27,6 +27,7 @@ from ..engine.diagram.wiring import (
     wiring_of,
 )
 from ..engine.model.ports import ports_of, whole_labels
+from ..engine.model.sampled import Sampled
 from ..engine.solver.engine_choice import (
     make_runner,
     run_compared,
@@ -221,15 +222,22 @@ class DiagramRun(SystemRun):
         all_signals = range(self.runner.nsignals)
         return self.wiring.outputs == tuple({column: 1.0} for column in all_signals)
 
+    @property
+    def _held(self) -> frozenset[int]:
+        """The outputs that are those of sampled blocks."""
+        systems = [node.system for node in self.wiring.nodes]
+        held = [isinstance(s, Sampled) for s in systems for _ in range(s.noutputs)]
+        rows = enumerate(self.wiring.outputs)
+        return frozenset(k for k, row in rows if all(j >= 0 and held[j] for j in row))
+
     @cached_property
     def template(self) -> DatasetTemplate:
         """The template of the Dataset."""
         labels = self.output_labels + self.input_labels
         units = signal_units(self.wiring)
         if self.loop is None:
-            return diagram_template(
-                self.name, tuple(labels), tuple(units), tuple(self.states)
-            )
+            texts = map(tuple, (labels, units, self.states))
+            return diagram_template(self.name, *texts, self._held)
 
         from .dataset import changed_parameters, scenario_template
 

@@ -163,16 +163,18 @@ def simulate(
                 data.attrs |= run.beyond_scenario
         keep_run(key, run)
         samples = len(request.at)
+        if data.attrs["status"] == Status.STOPPED.label and data.sizes["time"] == 1:
+            warn(
+                "the run ends at its start, where `stop`, or a guard with the policy 'stop', is "
+                "not above 0: a run goes on while it is"
+            )
 
     if skipped:
         data = data.isel(time=slice(skipped, None))
-    if data.attrs["status"] == Status.STOPPED.label and data.sizes["time"] == 1:
-        warn(
-            "the run ends at its start, where `stop`, or a guard with the policy 'stop', is not "
-            "above 0: a run goes on while it is"
-        )
     if samples == 2:
         data.attrs["message"] += "; two samples, for more see np.linspace"
+    elif timepts is None and data.sizes["time"] == 2:
+        data.attrs["message"] += "; two samples, for more set run.output_step"
     _note_arguments(data, unrecorded, {**solver, "params": params or None})
     if run.max_speed is not None and {
         "commanded_velocity",

@@ -65,7 +65,9 @@ def vary(**named):
 
 
 MISTAKES = """
-clpt.simulate(PEN, TIMES, 0, [1, 0], rtol=5) -> rtol = 5: must be a number, 0 or more and below 1
+clpt.replay([1]) -> clpt.replay: is a module. Call one of clpt.replay.
+SHORT.with_values({"basis.phases": [0, 90, 0]}) -> basis.phases: are radians, at most 2 pi
+clpt.simulate(PEN, TIMES, 0, [1, 0], rtol=5) -> rtol = 5: must be a number, 0 or more and below 1, or beside a max_step
 clpt.run_ensemble(PEN, {"d": ["1", "2"]}, timepts=TIMES) -> d = ["1", "2"]: each value must be a number
 clpt.run_ensemble(PEN, {"d": [True, False]}, timepts=TIMES) -> vary: d = [True, False]: must be
 parts.pid(0.8, 0.03, 2.0, 100) -> pid: too many positional arguments

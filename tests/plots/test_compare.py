@@ -391,3 +391,13 @@ def test_no_waypoint_is_told_of_a_reference_of_ones_own(tmp_path):
     text = (tmp_path / "page.html").read_text().partition('<h2 id="scenario"')[0]
     assert "waypoint" not in text.partition('id="excitation"')[0].lower()
     assert "waypoints" in legends(clpt.simulate(SCENARIO).clpt.plot("track"))
+
+
+def test_what_is_held_between_samples_is_drawn_in_steps():
+    """A delay of one sample before a lag: y is 0 until t = 1, then 1."""
+    delay, lag = clpt.parts.delay(1.0, dt=1.0), clpt.parts.lag(0.5, u="y", y="z")
+    loop = clpt.connect([delay, lag], external="u")
+    run = clpt.simulate(loop, [0.0, 1.0, 2.0, 3.0], 1.0)
+    for axes in (run.clpt.plot(), [run.clpt.plot("y"), run.clpt.plot("z")]):
+        held, smooth, *_ = (ax.lines[0].get_drawstyle() for ax in np.ravel(axes))
+        assert (held, smooth) == ("steps-post", "default")

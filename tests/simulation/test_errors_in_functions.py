@@ -291,6 +291,7 @@ def test_leaving_raises_with_position_time_and_bounds(drift, start, times, given
     )
 
 
+@pytest.mark.filterwarnings("ignore:the run ends at its start")
 def test_leaving_stops_where_it_leaves_between_samples(drift):
     run = clpt.simulate(drift("stop"), [0.0, 1.0, 3.0], initial_state=[0.75, 0.5])
     np.testing.assert_allclose(run.time, [0.0, 1.0, 1.25], atol=1e-9)

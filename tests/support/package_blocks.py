@@ -120,7 +120,10 @@ PARTS = {  # each part, continuous and sampled: its arguments by name, the first
     "lookup_table": [(([-1, 0, 3], [0, 10, 20]), {"signals": 2})],
     "noise": [((0.3, 1.3), {"signals": 3, "seed": 5})],
     "observer": [((plant(dt), [[0.4, 0], [0.1, 0.2]]), {}) for dt in (0, 0.1)],
-    "pid": [((2.0, 0.5, 0.3, -1, 2), {"dt": dt, "signals": 2}) for dt in (None, 0.1)],
+    "pid": [
+        ((2.0, 0.5, 0.3), {"low": -1, "high": 2, "dt": dt, "signals": 2})
+        for dt in (None, 0.1)
+    ],
     "planar_vehicle": [((INERTIA, np.diag([30, 60, 20]), np.diag([20.0, 40, 10])), {})],
     "point_vehicle": [(([60, 90], 30, 20), {})],
     "rate_limit": [((0.5, 0.7), {"signals": 2, **time}) for time in TIMES],

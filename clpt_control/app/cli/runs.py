@@ -136,6 +136,8 @@ def run(
     from ...simulation.run_file import as_written, recorded_arguments
     from ...theory.excitation.gramian import not_learned
 
+    if formats and figures is None:
+        raise ClptError("--format: is of the figures. Give --figures FOLDER")
     kinds = checked_formats(formats or ["png"])
     system = clpt.load_scenario(scenario)
     check_writable(out, *RUN_FILE)
@@ -228,6 +230,8 @@ def export(
         return
     if out is None:
         raise ClptError("--out: is missing. Give a file that ends in .c or .fmu")
+    if single and out.suffix not in (".c", ".h"):
+        raise ClptError(f"--single: is of C, not of {out}. Leave it out")
     if out.suffix in (".csv", ".mat"):
         from ..pages.writing import read
 

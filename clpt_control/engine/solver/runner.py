@@ -228,9 +228,9 @@ class Runner:
 
 # --- options of a run -------------------------------------------------------------------------
 
-# the least that an option may be, and what it must be below
+# the least that an option may be, and what it must be below where there is no `max_step`
 LEAST = {"rtol": 0.0, "atol": 0.0, "max_step": 5e-324, "first_step": 5e-324}
-BELOW = {"rtol": (1.0, "below 1")}
+BELOW = {"rtol": (1.0, "below 1, or beside a max_step")}
 
 
 @dataclass(frozen=True)
@@ -272,6 +272,8 @@ class RunOptions:
         for name in LEAST.keys() & options:
             size = numbers(name, options[name])
             top, finite = BELOW.get(name, (np.inf, "finite"))
+            if "max_step" in options:  # steps of one size
+                top = np.inf
             if size.ndim or not LEAST[name] <= size < top:
                 allowed = "above 0" if LEAST[name] else "0 or more"
                 raise SimulationError(

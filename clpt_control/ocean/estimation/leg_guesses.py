@@ -43,7 +43,7 @@ WALKS = "kalman-flow"  # law of a flow that changes
 REMARKS = {
     RIGHT: "",
     WRONG: "the fix lies outside the region of its forecast: it is in doubt, or the estimate is, "
-    "and is not learned unless later legs agree",
+    "and is hardly learned unless later legs agree",
     CHANGED: "the flow changed, or the estimate was wrong: learned anew",
 }
 AFTER_ALL = {

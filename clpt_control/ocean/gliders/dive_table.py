@@ -116,6 +116,15 @@ def _check_current(dives: list[Dive], path: Path) -> None:
 def _check_header(header: list[str], name: Path) -> None:
     """Refuse a header without a required column, or with a column twice."""
     line = ",".join(header)
+    in_brackets = {
+        cell: cell.partition("(")[0].strip() for cell in header if "(" in cell
+    }
+    of_dives = {cell for cell, plain in in_brackets.items() if plain in COLUMNS}
+    if set(START) <= set(header) and of_dives:
+        raise DataError(
+            f"{name}: {', '.join(sorted(of_dives))}: a table of dives has s, degrees, m and m/s. "
+            "Give these, and names without a unit"
+        )
     missing = [column for column in REQUIRED if column not in header]
     otherwise = set(CURRENT) <= set(header) or set(STEERING) <= set(header)
     if otherwise and not set(header) & set(STRETCH):

@@ -22,7 +22,7 @@ and errors that were learned in one record are wrong in another.
 """
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from itertools import pairwise
 from math import hypot, isfinite
 from operator import attrgetter
@@ -44,6 +44,7 @@ SMALLER = {"milliseconds": 1e3, "microseconds": 1e6, "nanoseconds": 1e9}
 LONGER = {"days": DAY, "hours": 3600.0, "minutes": 60.0}  # s
 FIRST_GLIDERS = seconds_since_1970("1990-01-01")
 LONGEST = 30 * DAY  # s of a dive
+FEW = 3  # dives that may all be wrong
 OVERLAP = 60.0  # s that neighbours may share by rounding
 MISSION = 1000  # dives: a larger step in the numbers is another mission
 SHARE = 0.5  # of the shorter neighbour's time: a missing dive takes more; some number surfacings
@@ -83,6 +84,7 @@ def usable(
     latest = -np.inf
     dives = list(dives)
     check_one_vehicle(dives)
+    _check_speeds(dives)
     repeated = _with_a_repeated_start(dives)
     for dive in dives:
         why = _fault(dive, least_duration)
@@ -154,6 +156,18 @@ def check_one_vehicle(dives: Iterable[Dive]) -> None:
         raise DataError(
             f"{listing}: are {len(names)} vehicles in one replay. Give the files of one, or "
             "clpt watch FOLDER --fleet, which replays each vehicle of a folder on its own"
+        )
+
+
+def _check_speeds(dives: Sequence[Dive]) -> None:
+    """Refuse dives of which most move faster through the water than any vehicle."""
+    fast = [d for d in dives if hypot(*d.through_water) > FASTEST * d.duration > 0.0]
+    if len(fast) > max(FEW, len(dives) / 2):
+        by_dac = any("dac_east" in note for note in fast[0].notes)
+        columns = "dac_east, dac_north" if by_dac else "dr_east_m, dr_north_m"
+        raise DataError(
+            f"{len(fast)} of {len(dives)} legs move more than {FASTEST:g} m/s through the water: "
+            f"check the unit of {columns}, {'m/s, not cm/s' if by_dac else 'm'}, and the times"
         )
 
 

@@ -116,12 +116,21 @@ def find_variable(data: xarray.Dataset, table: dict[str, Any], quantity: str) ->
     )
 
 
-def checked_name(data: xarray.Dataset, name: str) -> str:
-    """Return the name of a variable that the user chose, or refuse an unknown one."""
+def checked_name(data: xarray.Dataset, name: str, quantity: str = "") -> str:
+    """Return the name of a variable that the user chose; refuse an unknown or another one."""
     if name not in data.data_vars:
         raise DataError(
             f"no variable {name}; must be one of {', '.join(map(str, data.data_vars))}"
         )
+    for other, (standard, _) in VELOCITY.items():
+        if (
+            quantity
+            and other != quantity
+            and said(data[name], "standard_name") in standard
+        ):
+            raise DataError(
+                f"{name} as the {quantity} velocity: its standard_name is {standard[0]}"
+            )
     return name
 
 

@@ -286,7 +286,7 @@ def _velocity_names(
         may_lack = is_part and (key == "u" or names)
         with suppress(DataError) if may_lack else nullcontext():
             names[key] = (
-                cf.checked_name(data, given[key])
+                cf.checked_name(data, given[key], quantity)
                 if given
                 else cf.find_variable(data, cf.VELOCITY, quantity)
             )

@@ -245,6 +245,7 @@ Points = Annotated[tuple[Pair, ...], Field(min_length=1, max_length=10**6)]
 Row = tuple[Number, ...]
 TwoRows = tuple[Row, Row]
 EARTH = 2e7  # m, half of its circumference
+MOST_PHASE = 6.2832  # rad, a turn
 SHORT = 1e-6  # share of the interval; closer times are treated as equal
 
 
@@ -319,6 +320,8 @@ class Basis(Table):
             )
         for name in self.constituents or ():
             period(name)
+        if any(abs(phase) > MOST_PHASE for phase in self.phases or ()):
+            yield "basis.phases: are radians, at most 2 pi; 90 degrees are 1.5708"
 
 
 class TrueBasis(Basis):

@@ -462,6 +462,8 @@ MISSPELT = r"""
     replay --aim 3 -> --aim.*; `clpt replay --help` shows what it takes
     prove sigma --search 20 -> --search; `clpt prove --help` shows what it takes
     estimate - -> FlowEstimator in Python
+    run x.toml --out r.nc --format svg -> --format: is of the figures. Give --figures FOLDER
+    export run.nc -o x.fmu --single -> --single: is of C, not of x.fmu. Leave it out
 """
 
 

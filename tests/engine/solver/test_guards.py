@@ -110,6 +110,7 @@ def test_a_run_that_ends_at_a_sample_has_it_once(engine, level):
     assert float(run.y[-1]) == pytest.approx(level, abs=1e-12)
 
 
+@pytest.mark.filterwarnings("ignore:the run ends at its start")
 @every_engine
 def test_a_diagram_without_states_ends_where_the_condition_falls(engine):
     gain = control.nlsys(

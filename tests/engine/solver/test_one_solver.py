@@ -97,6 +97,7 @@ def test_a_run_at_rest_on_the_edge_goes_on(engine):
     assert run.attrs["solver_steps"] < 2_000
 
 
+@pytest.mark.filterwarnings("ignore:the run ends at its start")
 @every_engine
 @pytest.mark.parametrize("policy", ["stop", "raise"])
 def test_a_guard_that_is_left_where_the_run_begins(policy, engine):

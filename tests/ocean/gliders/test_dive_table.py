@@ -35,6 +35,19 @@ def usable(dives):
         return read_dives(path)
 
 
+def test_most_dives_too_fast_are_a_wrong_unit(tmp_path):
+    """Of 40 dives with currents of 10 to 30 cm/s, written without the unit."""
+    head = "dive,t_gps2,lat_gps2,lon_gps2,t_gpse,lat_gpse,lon_gpse,dac_east,dac_north\n"
+    row = "{},{},-43,8,{},-43,8.02,{},5\n"
+    rows = [
+        row.format(k, 1e9 + 10000 * k, 1e9 + 9000 + 10000 * k, 10 + k % 20)
+        for k in range(40)
+    ]
+    (tmp_path / "dives.csv").write_text(head + "".join(rows))
+    said = "40 of 40 legs move more than 5 m/s .* dac_east, dac_north, m/s, not cm/s"
+    refuses(said, read_dives, tmp_path / "dives.csv")
+
+
 @pytest.fixture
 def table(tmp_path):
     write_dive_table(sample_dives(), tmp_path / "dives.csv")
@@ -47,6 +60,10 @@ def test_tables_of_other_kinds_are_told_what_to_change(table):
         (text.replace("dac_qc,", "dive,"), "the column dive appears twice"),
         (text.replace("gps_", "vehicle,"), "the column vehicle appears"),
         (text.upper(), "no column dive, .* begins with dive,"),
+        (
+            text.replace("dac_east", "dac_east (cm/s)"),
+            r"dac_east \(cm/s\): a table of dives has s, degrees, m and m/s",
+        ),
         (
             text.replace("dr_east_m", "DR_east_m"),
             "no column dr_east_m; has dive, .*DR_east_m",
