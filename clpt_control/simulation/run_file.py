@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     import xarray
 
 NO_RUN = "is not a run: it has no variable 'clpe', nor the signals of a diagram"
+WORDS = {"ensemble": "an ensemble", "tube": "a tube", "fixes": "an estimate"}
 NOT_RUNS = {  # kind of a dataset: what is done with its file
     "fixes": "is an estimate from fixes. Open it with xarray.open_dataset",
     "replay": "is a replay of dives. Open it with xarray.open_dataset; its track is track.kml "
@@ -72,7 +73,10 @@ def save_run(run: "xarray.Dataset", path: str | Path) -> None:
     """
     check_writable(path, "a run", (".nc",))
     if "clpe" not in run.variables and not is_response(run):
-        raise DataError(f"{path}: {NO_RUN}. Write other datasets by to_netcdf")
+        raise DataError(
+            f"{path}: holds a run, and this is {WORDS.get(kind_of(run), 'another dataset')}. Write "
+            "it by to_netcdf, a grid of members by unstack().to_netcdf"
+        )
     if not set(run.data_vars) - {"states"}:
         raise DataError(f"{path}: the run has no signal. Give its system outputs")
     write_file(path, as_written(run, Path(path)))
@@ -87,7 +91,9 @@ def as_written(run: "xarray.Dataset", path: Path) -> "xarray.Dataset":
             attributes[TEAM] = team_to_text(system, path.parent)
         else:
             attributes["scenario"] = file.scenario_to_text(system, path.parent)
-    return run.assign_attrs({**attributes, **note_texts(run), FORM: file.LATEST})
+    data = run.copy(deep=False)
+    data.attrs = {k: v for k, v in run.attrs.items() if k != TEAM} | attributes
+    return data.assign_attrs({**note_texts(run), FORM: file.LATEST})
 
 
 @public

@@ -86,7 +86,8 @@ def clpe_plot(
             top.plot(time[early], e[early, i], label=name, lw=1.1, **line_style(i))
         top.set_ylabel(f"CLPE ({units.length})")
         top.set_xlim(0, max(time[early], default=2 * cycle))
-        top.set_title("CLPE", **TITLE)
+        is_noisy = scenario.localization is not None and scenario.localization.noise > 0
+        top.set_title("CLPE" + " of measured positions" * is_noisy, **TITLE)
 
         # size over the whole run
         size = np.hypot(*e.T)

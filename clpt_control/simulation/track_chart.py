@@ -194,7 +194,7 @@ def legend_beside(ax: Any) -> None:
     if lines := len(ax.get_legend_handles_labels()[0]):
         ax.legend(
             fontsize=7,
-            ncols=1 + (lines - 1) // 6,
+            ncols=1 + (lines - 1) // 14,
             loc="upper left",
             bbox_to_anchor=(1, 1.05),
             frameon=False,

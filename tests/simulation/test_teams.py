@@ -196,3 +196,20 @@ def test_the_names_of_vehicles_may_be_anything_in_a_file(names):
     others[:] = names
     with pytest.raises(clpt.DataError, match="the run's vehicles are not a, b"):
         clpt.report(run.assign_coords(vehicle=others), "never.html")
+
+
+def test_the_run_of_one_vehicle_is_a_run_of_its_scenario(tmp_path):
+    """Its map, figure and file are those of a single vehicle, with the same numbers."""
+    of = {"run_duration": 20.0}
+    system = team(0.5, west=vehicle(**of), east=vehicle(reference_radius=2.0, **of))
+    run = clpt.simulate(system)
+    west = run.sel(vehicle="west")
+    assert west.clpt.scenario == system.members["west"]
+    clpt.save_run(west, tmp_path / "west.nc")
+    again = clpt.load_run(tmp_path / "west.nc")
+    np.testing.assert_array_equal(again.clpe, run.clpe.sel(vehicle="west"))
+    flow = clpt.flow_map(west)
+    assert flow.u.shape == (1, 41, 41)
+    west.clpt.plot()
+    with pytest.raises(clpt.DataError, match=r"run.sel\(vehicle='west'\)"):
+        clpt.flow_map(run)

@@ -21,6 +21,7 @@ MANY = 40  # legs; beyond, marks are small
 SPREAD = (
     20.0  # of the largest error over the usual one; beyond, the axis is logarithmic
 )
+MOST_SPREAD = 1e3  # of errors below the usual one
 DRAWN = """origin latitude longitude start_latitude start_longitude predicted_latitude
 predicted_longitude flow leg position_error forecast_radius"""
 REPORTED = """leg start_time end_time position_error forecast_radius inside flow guaranteed
@@ -176,8 +177,9 @@ def learned_flow_plot(data: xarray.Dataset, *, ax: Any = None) -> np.ndarray:
     flow = data.flow.values
     fastest = float(f"{np.hypot(*flow.T).max():.1g}") or 0.1
     look = {"color": "black", "width": 0.003, "angles": "xy", "scale": 9 * fastest}
-    arrows = chart.quiver(x, y, *flow.T, label="learned flow", **look)
-    chart.quiverkey(arrows, 0.85, 1.03, fastest, f"{fastest:g} m/s", labelpos="E")
+    arrows = chart.quiver(x, y, *flow.T, **look)
+    key = f"flow of {fastest:g} m/s"
+    chart.quiverkey(arrows, 0.76, 1.03, fastest, key, labelpos="E")
     chart.set_aspect("equal", adjustable="datalim")
     chart.margins(0.12, 0.25)  # arrows point beyond the fixes
     degree_axes(chart, plane, "km")
@@ -202,7 +204,8 @@ def learned_flow_plot(data: xarray.Dataset, *, ax: Any = None) -> np.ndarray:
     largest, usual = max(float(error.max()), 1e-3), float(np.median(error))
     if 0 < usual < largest / SPREAD:  # later errors would lie on the axis
         errors.set_yscale("log")
-        errors.set_ylim(usual / SPREAD, 3.0 * largest)
+        least = max(float(error[error > 0].min()), usual / MOST_SPREAD)
+        errors.set_ylim(min(usual / SPREAD, least / 2), 3.0 * largest)
     else:
         errors.set_ylim(0, 1.15 * largest)
     legend_below(errors, 2)

@@ -11,9 +11,9 @@ from typing import Any
 from xarray import Dataset
 
 from ...base.html import Result, shortened
-from ...base.run_attributes import TEAM
 from ...base.units import percent
 from ...paper.scenario.experiment import Scenario
+from ...paper.scenario.recorded_run import kind_of
 from ...paper.scenario.team import Team
 from ...simulation.summary import SUMMARY, ending_of, figures_of
 
@@ -180,4 +180,6 @@ def claims_result(claims: list[dict[str, str]]) -> Result:
 
 def is_team(source: Any) -> bool:
     """Return whether a scenario or a run is of several vehicles."""
-    return isinstance(source, Team) or TEAM in getattr(source, "attrs", {})
+    return isinstance(source, Team) or (
+        hasattr(source, "attrs") and kind_of(source) == "team"
+    )

@@ -14,6 +14,7 @@ from mpl_toolkits.axes_grid1.anchored_artists import AnchoredSizeBar
 from ..geodesy import LocalPlane, east_of
 
 BARS_PER_WIDTH = 5  # about
+LABEL = 0.85  # inches of a longitude
 
 
 class _Degrees(Locator):
@@ -21,6 +22,7 @@ class _Degrees(Locator):
 
     def __init__(self, ax: Axes, plane: LocalPlane, is_longitude: bool):
         self.ax, self.plane, self.is_longitude = ax, plane, is_longitude
+        self.at: dict[float, float] = {}  # coordinate of a tick -> its degrees
 
     def _centre(self) -> tuple[float, float]:
         return float(np.mean(self.ax.get_xlim())), float(np.mean(self.ax.get_ylim()))
@@ -44,12 +46,15 @@ class _Degrees(Locator):
     def tick_values(self, vmin: float, vmax: float) -> list[float]:
         """Return the coordinates of even degrees between two coordinates."""
         edges = map(self.of_point, (vmin, vmax))
-        ticks = MaxNLocator(5, steps=[1, 2, 5, 10]).tick_values(*edges)
-        return [*map(self.to_point, ticks)]
+        labels = self.ax.bbox.width / self.ax.figure.dpi / LABEL
+        bins = int(np.clip(labels, 2, 5)) if self.is_longitude else 5
+        ticks = MaxNLocator(bins, steps=[1, 2, 5, 10]).tick_values(*edges)
+        self.at = {self.to_point(degrees): float(degrees) for degrees in ticks}
+        return [*self.at]
 
     def label(self, x: float, position: int) -> str:
         """Return the degrees of a tick with their letter."""
-        angle = self.of_point(x)
+        angle = self.at.get(x, self.of_point(x))
         if self.is_longitude:
             angle = east_of(angle)
         angle = round(angle, 6)

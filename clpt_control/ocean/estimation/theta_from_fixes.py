@@ -200,7 +200,9 @@ def tomography_of(estimator: FlowEstimator, legs: list[Dive]) -> Tomography:
             "radians between fixes: the estimate may be wrong by 1 m/s. Remove the wild fixes"
         )
     elif found.wild:
-        found.notes.append(f"tomography: {found.wild} wild fixes are left out")
+        found.notes.append(
+            f"tomography: left out, as no flow explains them: fixes of {found.wild} legs"
+        )
     return found
 
 

@@ -260,7 +260,7 @@ def aims(
         start_fix = start[0], *checked_target(*start[1:])
     legs = []
     for target in targets:
-        if (away := distance(*start_fix[1:], *target)) > FARTHEST:
+        if (away := distance(start_fix[1], start_fix[2], *target)) > FARTHEST:
             raise ScenarioError(
                 f"--aim {target[0]:g} {target[1]:g}: is {away / 1000:.0f} km away, latitude then "
                 f"longitude; at most {FARTHEST / 1000:g} km are allowed"

@@ -93,9 +93,16 @@ def scenario_of_run(run: Any, files: bool = True) -> Scenario:
             f"{run!r:.60}: must be a run, as clpt.simulate gives it; clpt.load_run reads one"
         )
     if TEAM in run.attrs:
-        raise DataError(
-            "the run is a team's. Give the run of one vehicle; run.clpt.plot() draws a team"
-        )
+        from .team import system_of_run
+
+        system = system_of_run(run, files)
+        if not isinstance(system, Scenario):
+            name = next(iter(system.members))
+            raise DataError(
+                f"the run is a team's. Give that of one vehicle, run.sel(vehicle={name!r}); "
+                "run.clpt.plot() draws a team"
+            )
+        return system
     if not isinstance(text := run.attrs.get("scenario"), str):
         raise DataError(
             "the run contains no scenario, as that of a diagram does not; "

@@ -99,7 +99,9 @@ def unknown_parts(run: "xarray.Dataset") -> set[str]:
 
 def kind_of(data: "xarray.Dataset") -> str:
     """Return the kind of a dataset, a key of `KINDS`, or ""."""
-    return next((kind for kind, name in KINDS.items() if name in data.attrs), "")
+    kind = next((kind for kind, name in KINDS.items() if name in data.attrs), "")
+    is_one = kind == "team" and "vehicle" in data.coords and not data.vehicle.ndim
+    return "run" if is_one else kind
 
 
 def is_response(run: "xarray.Dataset") -> bool:

@@ -532,7 +532,8 @@ class Localization(Table):
         if (self.interval == 0) != (self.noise_period is not None):
             yield (
                 "localization.noise_period: how long a value of the noise is held; is required "
-                "with interval = 0, and allowed only with interval = 0: each fix has its own noise"
+                "with interval = 0, and allowed only with interval = 0: each fix has its own "
+                "noise. Beside recorded fixes set interval, to any time"
             )
         for key in ("dropouts", "latency") if self.interval == 0 else ():
             if getattr(self, key) > 0:

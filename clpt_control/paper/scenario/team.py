@@ -301,7 +301,10 @@ def team_of_run(run: Any) -> Team:
 
 
 def system_of_run(run: Any, files: bool = True) -> Scenario | Team:
-    """Return the scenario or team that a run carries; with `files` its field's file must exist."""
+    """Return the scenario or team that a run carries; with `files` its field's file must exist.
+
+    The run of one vehicle, `run.sel(vehicle=...)`, has the scenario of this member.
+    """
     attributes = getattr(run, "attrs", {})
     if TEAM in attributes and "scenario" in attributes:
         raise DataError(
@@ -310,4 +313,8 @@ def system_of_run(run: Any, files: bool = True) -> Scenario | Team:
     if TEAM not in attributes:
         return file.scenario_of_run(run, files)
     folder = file.folder_of(run) if files else None
-    return system_from_text(str(attributes[TEAM]), "the run", folder)
+    system = system_from_text(str(attributes[TEAM]), "the run", folder)
+    vehicle = run.coords.get("vehicle")
+    if isinstance(system, Team) and vehicle is not None and not vehicle.ndim:
+        return system.members[vehicle.item()]
+    return system

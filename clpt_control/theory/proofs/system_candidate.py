@@ -551,9 +551,8 @@ class SystemCandidate(LyapunovCandidate):
         """Return a verdict on V, in the diagram's own signals."""
         if status == "open":
             claim = self.with_rate(claim)
-        V = self.in_signals(self.V)
-        is_whole = status != "proved" or fall.rate is None
-        rate = self.readable_rate(self.rate if is_whole else fall.rate)
+        rate = self.rate if status != "proved" or fall.rate is None else fall.rate
+        V, rate = self.in_signals(self.V), self.readable_rate(rate)
         inputs = tuple(self.depends_on(self.rate))
         fields |= {"claimed": self.claim, "equations": self.relations.eq}
         return Verdict(status, claim, V=V, rate=rate, inputs=inputs, **fields)

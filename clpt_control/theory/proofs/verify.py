@@ -388,7 +388,7 @@ def _verdict(
                 "counterexample",
             )
         )
-        claim = f"{spec.claim} fails at t = {at:.9g} of `run`"
+        claim = f"{spec.claim} fails at t = {at:.9g} of `run`, which is `member`"
         return RunVerdict(
             "refuted", claim, conditions=conditions, steps=tuple(steps), **more
         )

@@ -219,7 +219,10 @@ def test_tomography_leaves_wild_fixes_out():
     found = clpt.currents.flow_estimate(dives, scenario, method="tomography")
     off = np.abs(found.flow_parameters_estimate.values[-1] - EDDY / 3.6)
     assert off.max() < 0.03
-    assert "tomography: 1 wild fixes are left out" in found.attrs["notes"]
+    assert (
+        "tomography: left out, as no flow explains them: fixes of 1 legs"
+        in found.attrs["notes"]
+    )
 
 
 def before_of(dive):
