@@ -19,7 +19,7 @@ from ...base.errors import DataError, ScenarioError, refuse_unused
 from ...base.geodesy import displacement
 from ...base.progress.interrupt import check
 from ...base.run_attributes import versions
-from ...base.units import DEGREES
+from ...base.units import DEGREES, METRES
 from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.file import scenario_to_text
 from ...paper.scenario.run_track import run_scenario
@@ -37,6 +37,7 @@ from .tomography import Tomography, tomography
 METHODS = ("kalman", "tomography")
 BENT = 0.9  # share of its way at most from which on a leg is straight
 HARDLY = 0.7  # share of the prior's standard deviation that is left
+MOST_WIDTHS = 200  # of a function, that a leg crosses
 LEAST, LARGEST = 1e-9, 1e3  # prior and noise of runs
 MPS = "m s-1"
 
@@ -225,6 +226,13 @@ def flow_of_legs(
         raise DataError("no leg: a leg lies between two fixes. Give two fixes or more")
     estimator = FlowEstimator(scenario, **limits)
     is_run = frame is not None
+    width = scenario.basis.lengths.min() * METRES[scenario.units.length]
+    way = float(np.median([hypot(*leg.over_ground) for leg in legs]))
+    if not is_run and way > MOST_WIDTHS * width:
+        raise DataError(
+            f"legs are {way / 1000:.3g} km long, and the narrowest function {width:.3g} m wide: "
+            "check units.length and basis.widths"
+        )
     if not (is_run or every_row) and (looks := question(*_rows_of(legs))):
         raise DataError(
             f"{looks}. Give a column that marks fixes (fix, dead_reckoning, position_qc), or, if "
