@@ -90,7 +90,7 @@ def test_a_team_has_latitude_and_longitude():
     east = at_sea().with_values({"vehicle.position": [3.0, 0.0]})
     team = clpt.Team(members={"west": at_sea(), "east": east}, coupling=0.5)
     run = clpt.simulate(team, [0.0, 1.0])
-    with pytest.raises(clpt.DataError, match=r"Give the run of one vehicle"):
+    with pytest.raises(clpt.DataError, match="Give that of one vehicle"):
         clpt.flow_map(run)
     assert run.latitude.dims == ("vehicle", "time")
     assert run.clpt.plot().size == 3

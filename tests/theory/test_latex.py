@@ -151,7 +151,7 @@ def test_theorem_3_2_is_typeset():
     text = well_formed(clpt.prove(clpt.closed_loop(paper_of(1, "learned-flow"))))
     e = [rf"\left(x_{{{i}}} - z_{{{i}}}\right)" for i in (1, 2)]
     rate = rf"- K_{{D,1}}\,{e[0]}^{{2}} - K_{{D,2}}\,{e[1]}^{{2}}"
-    assert rf"\dot V = {rate}$" in text
+    assert rf"\dot V = {rate}." in " ".join(text.split())
     assert rf"\dot{{K}}_{{1}} &= - \frac{{4\,z_{{1}}\,{e[0]}}}{{5}}" in text
     assert "Conclusion: CLPE goes to zero." in text
     assert r"K\_1" not in text.partition("Conditions")[0]
@@ -166,6 +166,11 @@ KURAMOTO = (
 PRODUCT = (
     "x' = -x*y**2*(1 + sin(y)**2)*(2 + cos(y))*(3 + tanh(y))*exp(-y**2); y' = -y; "
     "V = x**2/2 + y**2/2"
+)
+BACKSTEPPING = (
+    "x' = x**2 + y; "
+    "y' = d - x - b*(y + a*x + x**2) - (a + 2*x)*(x**2 + y); "
+    "V = x**2/2 + (y + a*x + x**2)**2/2; input d; a = 1.5; b = 2.5"
 )
 OF_EACH_KIND = [
     (SWING, {}),
@@ -189,6 +194,7 @@ OF_EACH_KIND = [
     ("x' = -x/(1 + x**2) - x*exp(-x**2)*cos(x)**2; V = x**2/2", {}),
     (PRODUCT, {}),
     ("x' = -x + d*y; y' = -y - d*x; V = x**2 + y**2; input d", {}),
+    (BACKSTEPPING, {"where": {"d": (-0.2, 0.2)}}),
 ]  # fmt: skip
 ARTICLE = r"""\documentclass{article}
 \usepackage{amsmath,amsthm}

@@ -139,7 +139,8 @@ def page_of(data: Any, title: str | None, name: str) -> "Page":
 
 def _title_of(run: "xarray.Dataset") -> str:
     """Return the title of a run; a changed run of the paper's scenario has a title of its own."""
-    from ...paper.scenario.file import paper_scenario, scenario_of_run
+    from ...paper.scenario.file import paper_scenario
+    from ...paper.scenario.team import scenario_of_run
 
     title = str(run.attrs.get("title") or "A run without a title")
     paper = paper_scenario()

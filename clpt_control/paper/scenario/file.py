@@ -83,7 +83,7 @@ def folder_of(run: Any) -> Path:
     return Path(run.encoding.get("folder") or Path(source).parent)
 
 
-def scenario_of_run(run: Any, files: bool = True) -> Scenario:
+def attached_scenario(run: Any, files: bool = True) -> Scenario:
     """Return the scenario in the attributes of a run or an ensemble.
 
     With `files` the file of its field must exist.
@@ -92,17 +92,6 @@ def scenario_of_run(run: Any, files: bool = True) -> Scenario:
         raise DataError(
             f"{run!r:.60}: must be a run, as clpt.simulate gives it; clpt.load_run reads one"
         )
-    if TEAM in run.attrs:
-        from .team import system_of_run
-
-        system = system_of_run(run, files)
-        if not isinstance(system, Scenario):
-            name = next(iter(system.members))
-            raise DataError(
-                f"the run is a team's. Give that of one vehicle, run.sel(vehicle={name!r}); "
-                "run.clpt.plot() draws a team"
-            )
-        return system
     if not isinstance(text := run.attrs.get("scenario"), str):
         raise DataError(
             "the run contains no scenario, as that of a diagram does not; "

@@ -13,8 +13,8 @@ from ...base.run_attributes import CHANGED, REFERENCE, TEAM
 from ...engine.model.block import evaluate
 from ..blocks.vehicle import vehicle_controller
 from .experiment import Scenario
-from .file import own_parts, scenario_of_run
-from .team import Team
+from .file import own_parts
+from .team import Team, scenario_of_run
 
 if TYPE_CHECKING:
     import xarray

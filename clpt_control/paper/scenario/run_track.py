@@ -22,8 +22,8 @@ from ...engine.model.block import evaluate
 from ...engine.model.declaration import multiples
 from ..blocks import vehicle
 from .experiment import Scenario
-from .file import scenario_of_run
 from .recorded_run import check_run, commanded_velocity
+from .team import scenario_of_run
 
 LEAST = 5  # samples between two changes of the waypoint, or of the noise
 

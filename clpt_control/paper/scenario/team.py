@@ -300,6 +300,17 @@ def team_of_run(run: Any) -> Team:
     return team
 
 
+def scenario_of_run(run: Any, files: bool = True) -> Scenario:
+    """Return the scenario of a vehicle's run; with `files` its field's file must exist."""
+    system = system_of_run(run, files)
+    if isinstance(system, Team):
+        raise DataError(
+            "the run is a team's. Give that of one vehicle, "
+            f"run.sel(vehicle={next(iter(system.members))!r}); run.clpt.plot() draws a team"
+        )
+    return system
+
+
 def system_of_run(run: Any, files: bool = True) -> Scenario | Team:
     """Return the scenario or team that a run carries; with `files` its field's file must exist.
 
@@ -311,7 +322,7 @@ def system_of_run(run: Any, files: bool = True) -> Scenario | Team:
             "the run carries a scenario and a team; must be of one of the two"
         )
     if TEAM not in attributes:
-        return file.scenario_of_run(run, files)
+        return file.attached_scenario(run, files)
     folder = file.folder_of(run) if files else None
     system = system_from_text(str(attributes[TEAM]), "the run", folder)
     vehicle = run.coords.get("vehicle")

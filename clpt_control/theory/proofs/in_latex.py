@@ -32,6 +32,10 @@ PAPER_NAMES = {  # its index D
 }
 PAPER_NAME = re.compile("|".join(map(re.escape, PAPER_NAMES)))
 IN_WORDS = ("V", "N", "t")  # that are mathematics
+WIDE, NO_LETTERS = (
+    38,
+    re.compile(r"\\[a-z]+|[{}_^,\\ ]"),
+)  # of a formula of its own line
 FORMS = 0xE000  # letters of private use stand for expressions: the first
 TOKEN = re.compile(
     r"(?P<form>[\ue000-\uf8ff])|(?P<phrase>V')"
@@ -97,6 +101,9 @@ def _equation(words: str, left: str, right: Any) -> str:
     lines = _lines(right)
     if r"\\ &" in lines:
         return rf"{words} \[ \begin{{aligned}}{left} {{}}&{lines}.\end{{aligned}} \]"
+    is_unbroken = r"\left(" in lines  # over the end of a line
+    if len(NO_LETTERS.sub("", lines)) > WIDE * (1 - 0.6 * is_unbroken):
+        return rf"{words} \[ {left} {lines}. \]"
     return rf"{words} $\displaystyle {left} {lines}$."
 
 
