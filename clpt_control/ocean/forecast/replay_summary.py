@@ -277,7 +277,7 @@ def remarks(summary: Report) -> list[str]:
             f"{summary['used']} dives"
         )
         lines += by_reason(model["uncovered"], "why", "no flow model for ")
-    if summary["dac_identity_median"] is not None:
+    if (summary["dac_identity_median"] or 0.0) > 1e-9:  # else computed from it
         lines.append(
             "position error / duration differs from the file's depth-averaged current by "
             f"{1000 * summary['dac_identity_median']:.2g} mm/s (median)"
