@@ -39,6 +39,7 @@ if TYPE_CHECKING:
 
 MOST_STEPS = 3_000  # of boxes
 TIMES = 100  # intervals of a run that gives fewer times
+FARTHEST = 3.0  # of the range of a run, that its figure shows beyond it
 HOLDS = "holds on every run"
 
 
@@ -102,6 +103,11 @@ class RunVerdict(Judged):
                 style = {"color": "black", "linewidth": 0.8, "label": "run"}
                 panel.plot(self.tube.time, margin, **style)
         legend_above_data(panels[0])
+        # boxes that explode leave the run and the bound to be seen
+        for panel, margin in zip(panels, self.margins.values(), strict=True):
+            low, high = np.nanmin([*margin, 0.0]), np.nanmax([*margin, 0.0])
+            beyond = FARTHEST * (high - low) or np.inf
+            panel.set_ylim(*np.clip(panel.get_ylim(), low - beyond, high + beyond))
         return axes
 
     def _shown(self, most: int) -> str:
