@@ -79,8 +79,8 @@ def simulate(
     stop : callable, optional
         For a diagram: ``stop(t, y, u)`` of its outputs y and inputs u, by index or name,
         ``y[0]``, ``y.angle`` or ``y["angle"]``. If it returns a number, the run ends where the
-        number falls to 0; if it returns a truth value, such as ``y.angle < 1``, where the value
-        becomes false.
+        number falls below 0; if it returns a truth value, such as ``y.angle < 1``, where the
+        value becomes false.
     method : str, optional
         ``"taylor"``, Taylor series, for small models without conditions, kinks and jumps;
         ``"auto"``: DOP853, and Rodas5P from where the equations are stiff; or another one of

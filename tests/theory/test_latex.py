@@ -69,6 +69,23 @@ def test_the_rate_of_a_refuted_V_has_its_inputs():
     assert r"\dot V = - e^{2} + 2\,e\,k\,r$" in well_formed(found)
 
 
+@pytest.mark.parametrize(
+    "more",
+    [{"claim": lambda s: -(s.x**2) / 2 + s.f**2 / 2}, {"within": {"x": (-1, 1)}}],
+)
+def test_the_rate_where_an_input_is_0_is_without_it(more):
+    """x' = f - x, V = x^2/2: V' = -x^2 where f = 0."""
+    lag = clpt.Block(
+        "lag", update=lambda t, x, u, p: [u.f - x.x], states={"x": 1}, inputs={"f": 1}
+    )
+    found = clpt.lyapunov(lag, lambda s: s["x"] ** 2 / 2, **more)
+    assert "where f = 0" in str(found)
+    assert str(found.rate) == "-x**2"
+    assert r"Then, where $f = 0$, $\displaystyle \dot V = - x^{2}$" in well_formed(
+        found
+    )
+
+
 @pytest.mark.parametrize(("factor", "status"), [(1, "proved"), (3, "refuted")])
 def test_a_claim_is_a_formula(factor, status):
     """V' = -2 x^2 is at most -x^2, but above -3 x^2."""

@@ -37,7 +37,7 @@ class Guard(NamedTuple):
     ----------
     distance : callable
         ``distance(t, x, u, p)``, an equation like a block's own: a number,
-        positive inside, negative outside.
+        positive inside, negative outside; 0 is inside.
     policy : str
         ``"raise"`` fails the run, ``"stop"`` ends it without an error,
         ``"jump"`` sets the states to those of the block's `jump`.

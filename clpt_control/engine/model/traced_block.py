@@ -15,7 +15,7 @@ import numpy as np
 from ...base.arguments import attribute_of
 from ...base.errors import BlockError
 from ..conformance.confirmation import Confirmation
-from ..record.graph import Operation, Record, Shape, compact
+from ..record.graph import Operation, Record, Shape, compact, never_negative
 from ..record.unread import Unread
 from ..trace.tracing import Read, Request, read
 from .declaration import Guard, check_units
@@ -254,6 +254,13 @@ class ReadBlock(control.NonlinearIOSystem):
                     raise
                 why = str(error)
                 continue
+            if role == "guard" and never_negative(
+                result.record, result.record.outputs[0]
+            ):
+                raise BlockError(
+                    f"{name}: its distance is never below 0, so no run leaves it. Return a "
+                    "number that is negative outside, as 3 - t"
+                )
             self.read_with[role] = result.pinned, why
             self._note(role, result)
             return self._outside(result.record)

@@ -111,6 +111,20 @@ def is_known(shape: Shape) -> bool:
     return all(isinstance(n, int) for n in shape)
 
 
+def never_negative(record: Record, ref: Ref) -> bool:
+    """Return whether a value is seen to be 0 or above at all times: max(a, 0), where(c, 1, 0)."""
+    if type(ref) is float:
+        return ref >= 0.0
+    kind, arguments, *_ = record.operations[ref]
+    if kind in ("fabs", "sqrt"):
+        return True
+    values = arguments[1:] if kind == "where" else arguments
+    above = (never_negative(record, value) for value in values)
+    if kind == "maximum":
+        return any(above)
+    return kind in ("where", "minimum", "add", "mul", "view") and all(above)
+
+
 @contextmanager
 def deep() -> Iterator[None]:
     """Allow recursion as deep as records are."""

@@ -12,7 +12,7 @@ from typing import Any
 
 import control
 import sympy
-from sympy import Expr
+from sympy import Expr, S
 
 from ...base.arguments import Count, Seed, public
 from ...base.errors import ClptError, DiagramError
@@ -139,10 +139,11 @@ def _in_region(candidate: SystemCandidate, within: Any) -> Verdict:
     )
     if failed := first_failure(steps):
         return candidate.verdict("open", failed, Fall([]), steps=steps)
+    zeroed = {f: S.Zero for f in candidate.inputs if str(f.func) in inputs}
     verdict = candidate.verdict(
         "proved",
         claim,
-        Fall([]),
+        Fall([], zeroed=zeroed),
         conclusions=concluded(steps),
         conditions=tuple(candidate.conditions(inputs)),
         steps=steps,
@@ -224,8 +225,8 @@ def lyapunov(
         The ends of a set that the system keeps, ``{"q": (0, None)}`` for q >= 0, or q > 0 if V
         divides by q: V' is judged there. Its rate, or next value, is asked for at each end: it
         must not lead outside. Inputs, at most six, have bounds, ``{"d": (-1, 3)}``, one bound,
-        ``(0, None)``, or one value: if V' is convex in each, or in its square, V comes down to a
-        `level`, an upper estimate, for every d(t) within them. A `claim` is for any inputs.
+        ``(0, None)``, or one value, ``(1, 1)``: if V' is convex in each, or in its square, V comes
+        down to a `level`, an upper estimate, for every d(t) within them. A `claim` is for any inputs.
     keeps : callable, optional
         Relations of states that hold where a run begins: a function of signals that returns what
         is then 0, ``lambda s: [s.y - s.theta * s.w]``, each linear in one state. Rates and jumps

@@ -358,8 +358,11 @@ class SystemCandidate(LyapunovCandidate):
         failure = self.search.rises_far_off(self.rate)
         if failure is None:
             return None
-        inputs = joined(" = ", map(Symbol, self.depends_on(self.rate)))
-        raises = said("{} raises V however large it is", inputs)
+        inputs, names = (
+            joined(word, map(Symbol, self.depends_on(self.rate)))
+            for word in (" = ", ", ")
+        )
+        raises = said("V rises however large it is, by {}", names)
         step = Step(raises, True, "counterexample")
         claim = f"V' > 0: {failure[1]:.3g} at `point`, and 10 and 100 times as far off"
         claim = said("{}; where {} = 0 V' <= 0", claim, inputs)
@@ -549,9 +552,10 @@ class SystemCandidate(LyapunovCandidate):
 
     def verdict(self, status: Status, claim: str, fall: Fall, **fields: Any) -> Verdict:
         """Return a verdict on V, in the diagram's own signals."""
-        if status == "open":
-            claim = self.with_rate(claim)
-        rate = self.rate if status != "proved" or fall.rate is None else fall.rate
+        claim = self.with_rate(claim) if status == "open" else claim
+        rate = self.rate
+        if status == "proved":
+            rate = (fall.rate or rate).xreplace(fall.zeroed)
         V, rate = self.in_signals(self.V), self.readable_rate(rate)
         inputs = tuple(self.depends_on(self.rate))
         fields |= {"claimed": self.claim, "equations": self.relations.eq}

@@ -376,6 +376,22 @@ def test_a_truth_value_is_no_distance(distance, opaque):
         run()
 
 
+@pytest.mark.parametrize(
+    "distance",
+    [
+        lambda t, y, u: 1 if t < 3 else 0,
+        lambda t, y, u: 1.0 * (t < 3),
+        lambda t, y, u: np.clip(y.h - 1, 0, 10),
+        lambda t, y, u: abs(y.h),
+    ],
+)
+def test_a_distance_that_is_never_below_0_is_refused(distance):
+    """A run would pass its end in silence."""
+    falling = clpt.Block("falling", update=lambda t, x, u, p: [-1.0], states={"h": 1})
+    with pytest.raises(clpt.BlockError, match="is never below 0, so no run leaves it"):
+        clpt.simulate(falling, [0, 1, 4], initial_state=[2.0], stop=distance)
+
+
 @pytest.mark.parametrize("by", ["stop", "guard"])
 def test_a_run_that_ends_where_it_begins_warns(by):
     """A reversed sign: `stop` and a guard's distance are above 0 where a run goes on."""
