@@ -226,7 +226,8 @@ def lyapunov(
         divides by q: V' is judged there. Its rate, or next value, is asked for at each end: it
         must not lead outside. Inputs, at most six, have bounds, ``{"d": (-1, 3)}``, one bound,
         ``(0, None)``, or one value, ``(1, 1)``: if V' is convex in each, or in its square, V comes
-        down to a `level`, an upper estimate, for every d(t) within them. A `claim` is for any inputs.
+        down to a `level`, an upper estimate, for each d(t) within them. A `claim` is for any
+        inputs.
     keeps : callable, optional
         Relations of states that hold where a run begins: a function of signals that returns what
         is then 0, ``lambda s: [s.y - s.theta * s.w]``, each linear in one state. Rates and jumps
