@@ -103,7 +103,7 @@ def _of_item(key: str, values: Any) -> Vary:
             levels = (
                 np.asarray(values) if np.ndim(values) == 1 else unlabelled(key, values)
             )
-            if levels.dtype.kind in "bc":
+            if levels.dtype.kind in "bc" or bool in map(type, values):
                 raise TypeError
             levels = levels.astype(str if levels.dtype.kind == "U" else float).tolist()
             text = f"{key}={json.dumps(levels)}"

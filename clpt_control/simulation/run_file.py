@@ -7,6 +7,8 @@ diagram's run has names, versions and arguments; the script that made the run re
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from ..base.arguments import public
 from ..base.errors import DataError, naming
 from ..base.files import check_writable, write_file
@@ -87,13 +89,17 @@ def as_written(run: "xarray.Dataset", path: Path) -> "xarray.Dataset":
     attributes = {}
     if {"scenario", TEAM} & run.attrs.keys():
         system = system_of_run(run)
-        if isinstance(system, Team):
+        vehicles = [*np.ravel(run.get("vehicle", []))]
+        if isinstance(system, Team) and vehicles == [*system.members]:
             attributes[TEAM] = team_to_text(system, path.parent)
+        elif TEAM in run.attrs or isinstance(system, Team):
+            raise DataError(
+                f"{path}: holds a team's whole run, which its file repeats. Select vehicles "
+                "after clpt.load_run"
+            )
         else:
             attributes["scenario"] = file.scenario_to_text(system, path.parent)
-    data = run.copy(deep=False)
-    data.attrs = {k: v for k, v in run.attrs.items() if k != TEAM} | attributes
-    return data.assign_attrs({**note_texts(run), FORM: file.LATEST})
+    return run.assign_attrs({**attributes, **note_texts(run), FORM: file.LATEST})
 
 
 @public

@@ -225,13 +225,13 @@ def export(
     from ...paper.scenario.recorded_run import kind_of
     from ...simulation.program_export import SUFFIXES
 
+    if single and (drawing or (out and out.suffix not in (".c", ".h"))):
+        raise ClptError(f"--single: is of C, not of {out}. Leave it out")
     if drawing:
         _draw_diagram(scenario, out)
         return
     if out is None:
         raise ClptError("--out: is missing. Give a file that ends in .c or .fmu")
-    if single and out.suffix not in (".c", ".h"):
-        raise ClptError(f"--single: is of C, not of {out}. Leave it out")
     if out.suffix in (".csv", ".mat"):
         from ..pages.writing import read
 

@@ -57,9 +57,9 @@ class _Degrees(Locator):
         angle = self.at.get(x, self.of_point(x))
         if self.is_longitude:
             angle = east_of(angle)
-        angle = round(angle, 6)
+        angle = round(angle, 7)  # a centimetre
         letter = ("EW" if self.is_longitude else "NS")[int(angle < 0)]
-        return f"{abs(angle):g}\N{DEGREE SIGN} {letter}"
+        return f"{abs(angle):.10g}\N{DEGREE SIGN} {letter}"
 
 
 def degree_axes(ax: Any, plane: LocalPlane, unit: str) -> None:

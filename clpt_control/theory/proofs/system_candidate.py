@@ -358,14 +358,11 @@ class SystemCandidate(LyapunovCandidate):
         failure = self.search.rises_far_off(self.rate)
         if failure is None:
             return None
-        inputs, names = (
-            joined(word, map(Symbol, self.depends_on(self.rate)))
-            for word in (" = ", ", ")
-        )
-        raises = said("V rises however large it is, by {}", names)
+        names = [*map(Symbol, self.depends_on(self.rate))]
+        raises = said("V rises however large it is, by {}", joined(", ", names))
         step = Step(raises, True, "counterexample")
         claim = f"V' > 0: {failure[1]:.3g} at `point`, and 10 and 100 times as far off"
-        claim = said("{}; where {} = 0 V' <= 0", claim, inputs)
+        claim = said("{}; where {} = 0 V' <= 0", claim, joined(" = ", names))
         return Refutation(claim, step, *failure)
 
     def refuted_at_jump(self, rise: Expr) -> Refutation | None:
@@ -553,9 +550,8 @@ class SystemCandidate(LyapunovCandidate):
     def verdict(self, status: Status, claim: str, fall: Fall, **fields: Any) -> Verdict:
         """Return a verdict on V, in the diagram's own signals."""
         claim = self.with_rate(claim) if status == "open" else claim
-        rate = self.rate
-        if status == "proved":
-            rate = (fall.rate or rate).xreplace(fall.zeroed)
+        of_proof = (fall.rate or self.rate).xreplace(fall.zeroed)
+        rate = of_proof if status == "proved" else self.rate
         V, rate = self.in_signals(self.V), self.readable_rate(rate)
         inputs = tuple(self.depends_on(self.rate))
         fields |= {"claimed": self.claim, "equations": self.relations.eq}
