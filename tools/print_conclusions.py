@@ -35,7 +35,7 @@ def table() -> str:
         [
             *lines,
             "",
-            f"\\*: {usual}. Each requires as well: {always}.",
+            f"\\*: {usual}. Each requires too: {always}.",
             "",
             f"Conditions: {named}.",
             "",
