@@ -203,7 +203,7 @@ def right(tmp_path_factory):
         "known_flow_scenario": {"theta": np.zeros((2, 3))},
         "make_dive": {"number": 1, "start": (0.0, 40.0, -70.0), **TO},
         **{
-            "aims": {"self": replay, "targets": [(-42.5, 8.0)], "start": None},
+            "aims": {"self": replay, "targets": [(40.0, -70.0)], "start": None},
             "period": {"constituent": "M2"},
         },
         "flow_velocity": {"points": np.zeros((2, 2)), "timepts": 0.0},

@@ -53,7 +53,6 @@ from .table_rows import (
 )
 
 YEAR = 365 * 24.0  # hours
-FARTHEST = 2e6  # m, of a waypoint: farther ones are mistyped
 DIVES = 5  # the last ones, of which speed and duration are the medians
 ARRIVED = 1000.0  # m; a vehicle this close to a waypoint goes on to the next one
 ITERATIONS, CLOSE = 20, 1.0  # of d and c, and m by which the last may change c
@@ -260,11 +259,6 @@ def aims(
         start_fix = start[0], *checked_target(*start[1:])
     legs = []
     for target in targets:
-        if (away := distance(start_fix[1], start_fix[2], *target)) > FARTHEST:
-            raise ScenarioError(
-                f"--aim {target[0]:g} {target[1]:g}: is {away / 1000:.0f} km away, latitude then "
-                f"longitude; at most {FARTHEST / 1000:g} km are allowed"
-            )
         leg = aim(self, start_fix, target, V, T)
         stated = (finite_or_none(value) for value in (variation, last.magvar))
         east = next((value for value in stated if value is not None), None)

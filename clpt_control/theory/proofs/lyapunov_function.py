@@ -179,8 +179,10 @@ def _searched(
         number = growing if growing.imag else growing.real
         cause = f"the linear part{still} has the eigenvalue {number:.3g}"
         return Verdict("open", f"the rest is unstable: {cause}")
+    if best is not None:
+        return best
     message = f"no V was found{still} that is proved: give one, or a rest (at=) to search about"
-    return best or Verdict("open", message + ", or a smaller box (within=)" * in_box)
+    return Verdict("open", message + ", or a smaller box (within=)" * in_box)
 
 
 @public
