@@ -42,13 +42,6 @@ NAMES = {"abs": np.absolute, "min": np.minimum, "max": np.maximum, "pi": np.pi}
 FUNCTIONS = {u.__name__: u for u in UFUNCS if isinstance(u, np.ufunc)} | NAMES
 
 
-class _Named(SimpleNamespace):
-    """Signals by name: s.level, s["level"]."""
-
-    def __getitem__(self, name: str) -> Any:
-        return getattr(self, name)
-
-
 @dataclass(frozen=True)
 class Specification:
     """A condition of runs from a time on: `margin` of the signals is above 0, or 0 unless `strict`.
@@ -65,7 +58,7 @@ class Specification:
     def of(self, signals: Mapping[str, Any]) -> Any:
         """Return the margin of signals by name."""
         try:
-            value = self.margin(_Named(**signals))
+            value = self.margin(SimpleNamespace(**signals))
             value = value if self.sign > 0.0 else np.negative(value)
         except AttributeError as error:
             names = [*signals]
