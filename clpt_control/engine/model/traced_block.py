@@ -254,9 +254,9 @@ class ReadBlock(control.NonlinearIOSystem):
                     raise
                 why = str(error)
                 continue
-            if role == "guard" and never_negative(
-                result.record, result.record.outputs[0]
-            ):
+            (distance, *_) = result.record.outputs or (0.0,)
+            is_number = role != "guard" or isinstance(distance, float)
+            if not is_number and never_negative(result.record, distance):
                 raise BlockError(
                     f"{name}: its distance is never below 0, so no run leaves it. Return a "
                     "number that is negative outside, as 3 - t"

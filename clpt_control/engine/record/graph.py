@@ -116,7 +116,7 @@ def never_negative(record: Record, ref: Ref) -> bool:
     if type(ref) is float:
         return ref >= 0.0
     kind, arguments, *_ = record.operations[ref]
-    if kind in ("fabs", "sqrt"):
+    if kind == "fabs":
         return True
     values = arguments[1:] if kind == "where" else arguments
     above = (never_negative(record, value) for value in values)
