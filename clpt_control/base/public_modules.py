@@ -43,7 +43,7 @@ HINTS |= dict.fromkeys(
 )
 HINTS["interconnect"] = "Call clpt.connect(blocks)"
 HINTS["find_operating_point"] = "Give it a diagram of clpt.connect"
-OWN = {"plot": "Call run.clpt.plot()", "design": "Call clpt.theory.design_track"}
+ASKED = {"plot": "Call run.clpt.plot()", "design": "Call clpt.theory.design_track"}
 LINEAR = "Give it a linear system, clpt.linearize(system, x, u)"
 
 
@@ -64,7 +64,7 @@ def missing(module: str, name: str, names: Iterable[str]) -> AttributeError:
 
     similar = "" if name.startswith("_") else nearest(name, names)
     advice = f". Did you mean {short}.{similar}?" if similar else ""
-    advice = f". {OWN[name]}" if name in OWN else advice
+    advice = f". {ASKED[name]}" if name in ASKED else advice
     return AttributeError(f"No {module} attribute {name}{advice}")
 
 

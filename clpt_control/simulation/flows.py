@@ -34,9 +34,8 @@ if TYPE_CHECKING:
 Figures = dict[str, Any]  # of a run, by name
 TOLD_TURN = 1.0  # rad between fixes
 BOX_POINTS = 9261  # of a track's box and the window, each at a time of its own
-SPREAD = 1.2207440846057596 ** -np.arange(
-    1.0, 4.0
-)  # g^-k, g^4 = g + 1: irrational steps
+# g^-k with g^4 = g + 1: irrational steps, which fill a box evenly
+SPREAD = 1.2207440846057596 ** -np.arange(1.0, 4.0)
 LEAST_SAMPLES = 10  # of a measured track, to compare its motion with Eq. (7)
 SPEEDS = "commanded_velocity", "true_flow", "reference"  # speed_figures reads these
 LEAST_FACTOR = 0.7  # and its inverse; samples and noise leave it between them

@@ -166,7 +166,7 @@ def simulate(
         if data.attrs["status"] == Status.STOPPED.label and data.sizes["time"] == 1:
             warn(
                 "the run ends at its start, where `stop`, or a guard with the policy 'stop', is "
-                "not above 0: a run goes on while it is"
+                "false or below 0: a run goes on while it is not"
             )
 
     if skipped:

@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     import xarray
 
 NO_RUN = "is not a run: it has no variable 'clpe', nor the signals of a diagram"
-WORDS = {"ensemble": "an ensemble", "tube": "a tube", "fixes": "an estimate"}
+KINDS_IN_WORDS = {"ensemble": "an ensemble", "tube": "a tube", "fixes": "an estimate"}
 NOT_RUNS = {  # kind of a dataset: what is done with its file
     "fixes": "is an estimate from fixes. Open it with xarray.open_dataset",
     "replay": "is a replay of dives. Open it with xarray.open_dataset; its track is track.kml "
@@ -75,9 +75,10 @@ def save_run(run: "xarray.Dataset", path: str | Path) -> None:
     """
     check_writable(path, "a run", (".nc",))
     if "clpe" not in run.variables and not is_response(run):
+        kind = KINDS_IN_WORDS.get(kind_of(run), "another dataset")
         raise DataError(
-            f"{path}: holds a run, and this is {WORDS.get(kind_of(run), 'another dataset')}. Write "
-            "it by to_netcdf, a grid of members by unstack().to_netcdf"
+            f"{path}: holds a run, and this is {kind}. Write it by to_netcdf, a grid of members by "
+            "unstack().to_netcdf"
         )
     if not set(run.data_vars) - {"states"}:
         raise DataError(f"{path}: the run has no signal. Give its system outputs")

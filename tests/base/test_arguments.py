@@ -584,6 +584,8 @@ def test_functions_of_python_control_are_named(name, owner, advice):
 def test_a_name_near_a_public_one_is_named():
     with pytest.raises(AttributeError, match=r"No clpt_control attribute nonsense$"):
         clpt.nonsense  # noqa: B018 - reading it is the test
+    with pytest.raises(AttributeError, match=r"plot. Call run\.clpt\.plot\(\)"):
+        clpt.plot  # noqa: B018
     with pytest.raises(AttributeError, match=r"Did you mean clpt\.simulate\?"):
         clpt.simulat  # noqa: B018
     with pytest.raises(AttributeError, match=r"Did you mean clpt\.gliders\.read_dives"):

@@ -68,6 +68,7 @@ MISTAKES = """
 clpt.currents.flow_estimate(clpt.gliders.sample_dives(), OF_FIXES.with_values({"basis.widths": [8.0]})) -> m wide: check units.length and basis.widths
 clpt.simulate(PEN, TIMES, stop=lambda x: x[0]) -> stop: must take t, outputs and inputs, as lambda t, y, u: y[0] - 1
 clpt.save_run(vary(), "a.nc") -> this is an ensemble. Write it by to_netcdf, a grid of members by unstack().to_netcdf
+clpt.export(SHORT, "a.fmu", single=True) -> in single precision
 clpt.replay([1]) -> clpt.replay: is a module. Call one of clpt.replay.
 SHORT.with_values({"basis.phases": [0, 90, 0]}) -> basis.phases: are radians, at most 2 pi
 clpt.simulate(PEN, TIMES, 0, [1, 0], rtol=5) -> rtol = 5: must be a number, 0 or more and below 1, or beside a max_step

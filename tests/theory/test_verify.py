@@ -359,6 +359,13 @@ def test_a_figure_of_a_verdict_has_the_bound_and_the_run():
     assert not np.any(lines["bound"])
     proved = clpt.verify(tank(), [0, 1], None, [(0.5, 0.8)], always="level < 0.9")
     labels = [line.get_label() for line in np.ravel(proved.plot())[0].lines]
+    # boxes that explode, of x' = x^2 towards 1/(1 - t), leave the run in sight
+    growing = clpt.Block("growing", update=lambda t, x, u, p: [x.x**2], states={"x": 1})
+    times = np.linspace(0, 0.96, 49)
+    wide = clpt.verify(growing, times, None, [(0.5, 1.0)], always="x < 1.9", pieces=1)
+    margin = wide.margins[next(iter(wide.margins))]
+    low, high = np.ravel(wide.plot())[0].get_ylim()
+    assert high - low <= 7.5 * np.ptp([*margin, 0.0])
     assert {"bound", "run"}.intersection(labels) == {"bound"}
 
 

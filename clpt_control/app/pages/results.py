@@ -76,11 +76,8 @@ def asked(system: Scenario | Team, waypoints: int) -> str:
             subject += f" at {waypoints} waypoints, {dwell} at each,"
     measured = scenario.flow.field is not None
     functions = (scenario.flow.basis or scenario.basis).N
-    water = (
-        "a measured current"
-        if measured
-        else f"a flow of {functions} function{'s'[: functions > 1]}"
-    )
+    count = "1 function" if functions == 1 else f"{functions} functions"
+    water = "a measured current" if measured else f"a flow of {count}"
     span = f"{scenario.run.duration:g} {scenario.units.time}"
     return f"{subject} for {span} in {water}; law {scenario.learning.law}"
 

@@ -22,7 +22,7 @@ class _Degrees(Locator):
 
     def __init__(self, ax: Axes, plane: LocalPlane, is_longitude: bool):
         self.ax, self.plane, self.is_longitude = ax, plane, is_longitude
-        self.at: dict[float, float] = {}  # coordinate of a tick -> its degrees
+        self.degrees_at: dict[float, float] = {}  # coordinate of a tick -> its degrees
 
     def _centre(self) -> tuple[float, float]:
         return float(np.mean(self.ax.get_xlim())), float(np.mean(self.ax.get_ylim()))
@@ -49,12 +49,12 @@ class _Degrees(Locator):
         labels = self.ax.bbox.width / self.ax.figure.dpi / LABEL
         bins = int(np.clip(labels, 2, 5)) if self.is_longitude else 5
         ticks = MaxNLocator(bins, steps=[1, 2, 5, 10]).tick_values(*edges)
-        self.at = {self.to_point(degrees): float(degrees) for degrees in ticks}
-        return [*self.at]
+        self.degrees_at = {self.to_point(degrees): float(degrees) for degrees in ticks}
+        return [*self.degrees_at]
 
     def label(self, x: float, position: int) -> str:
         """Return the degrees of a tick with their letter."""
-        angle = self.at.get(x, self.of_point(x))
+        angle = self.degrees_at.get(x, self.of_point(x))
         if self.is_longitude:
             angle = east_of(angle)
         angle = round(angle, 7)  # a centimetre

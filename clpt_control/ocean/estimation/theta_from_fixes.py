@@ -202,7 +202,7 @@ def tomography_of(estimator: FlowEstimator, legs: list[Dive]) -> Tomography:
         )
     elif found.wild:
         found.notes.append(
-            f"tomography: left out, as no flow explains them: fixes of {found.wild} legs"
+            f"tomography: fixes left out, as no flow explains them: {found.wild}"
         )
     return found
 

@@ -116,21 +116,17 @@ def find_variable(data: xarray.Dataset, table: dict[str, Any], quantity: str) ->
     )
 
 
-def checked_name(data: xarray.Dataset, name: str, quantity: str = "") -> str:
+def checked_name(data: xarray.Dataset, name: str, quantity: str) -> str:
     """Return the name of a variable that the user chose; refuse an unknown or another one."""
     if name not in data.data_vars:
         raise DataError(
             f"no variable {name}; must be one of {', '.join(map(str, data.data_vars))}"
         )
-    for other, (standard, _) in VELOCITY.items():
-        if (
-            quantity
-            and other != quantity
-            and said(data[name], "standard_name") in standard
-        ):
-            raise DataError(
-                f"{name} as the {quantity} velocity: its standard_name is {standard[0]}"
-            )
+    told = said(data[name], "standard_name")
+    if any(told in row[0] for other, row in VELOCITY.items() if other != quantity):
+        raise DataError(
+            f"{name} as the {quantity} velocity: its standard_name is {told}"
+        )
     return name
 
 

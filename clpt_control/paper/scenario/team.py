@@ -300,9 +300,9 @@ def team_of_run(run: Any) -> Team:
     return team
 
 
-def scenario_of_run(run: Any, files: bool = True) -> Scenario:
-    """Return the scenario of a vehicle's run; with `files` its field's file must exist."""
-    system = system_of_run(run, files)
+def scenario_of_run(run: Any) -> Scenario:
+    """Return the scenario of a vehicle's run; its field's file must exist."""
+    system = system_of_run(run)
     if isinstance(system, Team):
         raise DataError(
             "the run is a team's. Give that of one vehicle, "

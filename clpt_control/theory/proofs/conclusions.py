@@ -231,11 +231,6 @@ class Judged:
         Whether it is proved for every number of basis functions.
     """
 
-    def __bool__(self) -> bool:
-        raise ArgumentError(
-            "a verdict is no truth value. Ask verdict.status == 'proved'"
-        )
-
     status: Status
     claim: str
     conclusions: tuple[str, ...] = field(default=(), kw_only=True)
@@ -246,6 +241,11 @@ class Judged:
     level: Any = field(default=None, kw_only=True)
     decay: Expr | None = field(default=None, kw_only=True)
     for_every_N: bool = field(default=False, kw_only=True)
+
+    def __bool__(self) -> bool:
+        raise ArgumentError(
+            "a verdict is no truth value. Ask verdict.status == 'proved'"
+        )
 
     @property
     def conclusion(self) -> str:

@@ -32,10 +32,8 @@ PAPER_NAMES = {  # its index D
 }
 PAPER_NAME = re.compile("|".join(map(re.escape, PAPER_NAMES)))
 IN_WORDS = ("V", "N", "t")  # that are mathematics
-WIDE, NO_LETTERS = (
-    38,
-    re.compile(r"\\[a-z]+|[{}_^,\\ ]"),
-)  # of a formula of its own line
+WIDE = 38  # letters; a longer formula has a line of its own
+NO_LETTERS = re.compile(r"\\[a-z]+|[{}_^,\\ ]")  # in LaTeX
 FORMS = 0xE000  # letters of private use stand for expressions: the first
 TOKEN = re.compile(
     r"(?P<form>[\ue000-\uf8ff])|(?P<phrase>V')"

@@ -39,7 +39,7 @@ if TYPE_CHECKING:
 
 MOST_STEPS = 3_000  # of boxes
 TIMES = 100  # intervals of a run that gives fewer times
-FARTHEST = 3.0  # of the range of a run, that its figure shows beyond it
+SHOWN_BEYOND = 3.0  # of the range of a run, that its figure shows beyond it
 HOLDS = "holds on every run"
 
 
@@ -106,7 +106,7 @@ class RunVerdict(Judged):
         # boxes that explode leave the run and the bound to be seen
         for panel, margin in zip(panels, self.margins.values(), strict=True):
             low, high = np.nanmin([*margin, 0.0]), np.nanmax([*margin, 0.0])
-            beyond = FARTHEST * (high - low) or np.inf
+            beyond = SHOWN_BEYOND * (high - low) or np.inf
             panel.set_ylim(*np.clip(panel.get_ylim(), low - beyond, high + beyond))
         return axes
 

@@ -108,6 +108,31 @@ def test_degrees_of_a_small_map_are_written_out_and_apart(made):
     assert all(a.x1 < b.x0 for a, b in pairwise(boxes))
 
 
+@pytest.mark.parametrize("size", [1e-3, 1.0, 300.0])
+def test_degrees_of_a_track_are_even_distinct_and_apart(size):
+    """Circles of a metre to 300 km about (48, -6): labels have few digits, and differ."""
+    places = {
+        "run.duration": 40,
+        "units.length": "km",
+        "origin": [48.0, -6.0],
+        "reference.radius": size,
+    }
+    run = clpt.simulate(clpt.paper_scenario().with_values(places))
+    ax = run.clpt.plot("track")
+    ax.figure.draw_without_rendering()
+    for axis in (ax.xaxis, ax.yaxis):
+        low, high = axis.get_view_interval()
+        ticks = zip(axis.get_ticklocs(), axis.get_ticklabels(), strict=True)
+        shown = [label for at, label in ticks if low <= at <= high]
+        texts = [label.get_text() for label in shown]
+        assert len({*texts}) == len(texts) >= 2
+        spans = sorted(tuple(label.get_window_extent().intervalx) for label in shown)
+        is_across = axis is ax.xaxis
+        assert not is_across or all(a[1] < b[0] for a, b in pairwise(spans))
+        if size > 100.0:
+            assert all(len(text) <= len("48.5\N{DEGREE SIGN} W") for text in texts)
+
+
 def test_an_estimate_is_opened_by_xarray(made, tmp_path):
     made["fixes"].to_netcdf(tmp_path / "fixes.nc")
     said = "is an estimate from fixes. Open it with xarray.open_dataset"

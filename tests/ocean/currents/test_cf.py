@@ -361,3 +361,13 @@ def test_a_global_model_is_read_as_netcdf4_reads_it():
     np.testing.assert_allclose(currents.u, u[:, np.argsort(lat)])
     assert currents.start == "2024-01-03T00:00:00"
     assert not currents.measured.all()  # Florida
+
+
+def test_a_chosen_name_against_its_standard_name_is_refused(tmp_path):
+    """By standard names east is eastward: as v it would turn the current."""
+    write(tmp_path / "c.nc", *sample(), change=standard)
+    right = read_currents(tmp_path / "c.nc", names={"u": "east", "v": "north"})
+    np.testing.assert_array_equal(right.u, read_currents(tmp_path / "c.nc").u)
+    said = "north as the eastward velocity: its standard_name is northward_sea_water_"
+    swapped = {"u": "north", "v": "east"}
+    refuses(said, read_currents, tmp_path / "c.nc", names=swapped)

@@ -220,7 +220,7 @@ def test_tomography_leaves_wild_fixes_out():
     off = np.abs(found.flow_parameters_estimate.values[-1] - EDDY / 3.6)
     assert off.max() < 0.03
     assert (
-        "tomography: left out, as no flow explains them: fixes of 1 legs"
+        "tomography: fixes left out, as no flow explains them: 1"
         in found.attrs["notes"]
     )
 
